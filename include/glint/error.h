@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Error codes. Every function that can fail returns 0 (GLINT_OK) or one of these negative values. A positive or
+ * negative value that a caller's flush function returns is passed through unchanged.
+ */
+#ifndef GLINT_ERROR_H
+#define GLINT_ERROR_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum glint_error {
+    GLINT_OK = 0,
+
+    /* a pointer that has to be there is NULL */
+    GLINT_ERROR_NULL_ARGUMENT = -1, /* scene, display, quality or memory */
+    GLINT_ERROR_NULL_CAMERA = -2,
+    GLINT_ERROR_NULL_OBJECTS = -3, /* object_count > 0, objects NULL */
+    GLINT_ERROR_NULL_LIGHTS = -4,  /* light_count > 0, lights NULL */
+    GLINT_ERROR_NULL_MESH = -5,    /* an object without mesh, or a mesh without one of its arrays */
+    GLINT_ERROR_NULL_MATERIAL = -6,
+    GLINT_ERROR_NULL_FLUSH = -7,
+
+    /* mesh */
+    GLINT_ERROR_MESH_EMPTY = -10,    /* fewer than 3 vertices, or no triangle */
+    GLINT_ERROR_MESH_INDEX = -11,    /* a triangle names a vertex that is not there */
+    GLINT_ERROR_MESH_FRACTION = -12, /* fraction_bits out of range */
+
+    /* object */
+    GLINT_ERROR_PLACE_SINGULAR = -20, /* the linear part flattens the object: determinant 0 or nearly so */
+    GLINT_ERROR_PLACE_RANGE = -21,    /* an entry of the linear part or of the origin out of range */
+
+    /* material */
+    GLINT_ERROR_REFLECTANCE = -30, /* below 0 or above 1 */
+    GLINT_ERROR_EXPONENT = -31,    /* above GLINT_MAX_EXPONENT */
+    GLINT_ERROR_SPECULAR_MODEL = -32,
+
+    /* lights */
+    GLINT_ERROR_LIGHT_KIND = -40,
+    GLINT_ERROR_LIGHT_DIRECTION = -41, /* zero vector */
+    GLINT_ERROR_LIGHT_COLOUR = -42,    /* negative */
+    GLINT_ERROR_LIGHT_POSITION = -43,  /* out of range */
+    GLINT_ERROR_AMBIENT = -44,         /* scene ambient negative */
+    GLINT_ERROR_BACKGROUND = -45,      /* background colour below 0 or above 1 */
+
+    /* camera */
+    GLINT_ERROR_CAMERA_DIRECTION = -50, /* eye equals target */
+    GLINT_ERROR_CAMERA_UP = -51,        /* up is zero or parallel to the view direction */
+    GLINT_ERROR_CAMERA_FIELD = -52,     /* field of view outside 1..170 degrees */
+    GLINT_ERROR_CAMERA_NEAR = -53,      /* near plane not in front of the eye, or out of range */
+    GLINT_ERROR_CAMERA_RANGE = -54,     /* eye or target out of range */
+
+    /* display and quality */
+    GLINT_ERROR_DISPLAY_SIZE = -60,    /* width or height 0 or above GLINT_MAX_SIZE_PX */
+    GLINT_ERROR_DISPLAY_BAND = -61,    /* GLINT_MONO_PAGES wants bands of whole pages of 8 rows */
+    GLINT_ERROR_DISPLAY_FORMAT = -62,  /* unknown pixel format */
+    GLINT_ERROR_DISPLAY_DITHER = -63,  /* unknown dither */
+    GLINT_ERROR_DISPLAY_BUFFERS = -64, /* more than 2 buffers, or 2 without `transfers` */
+    GLINT_ERROR_DISPLAY_STRIDE = -65,  /* stride_bytes shorter than a row */
+    GLINT_ERROR_SHADING = -66,         /* unknown shading */
+
+    /* memory */
+    GLINT_ERROR_MEMORY_SIZE = -70,     /* less than glint_*_memory_least_bytes() */
+    GLINT_ERROR_MEMORY_ALIGNMENT = -71 /* not aligned to 4 bytes */
+} glint_error;
+
+/* A sentence in English for an error code, never NULL; "unknown error" for any other number. */
+const char *glint_error_text(int error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

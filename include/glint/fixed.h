@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The fixed-point backend: integer arithmetic only, the same bits on every processor and compiler.
+ */
+#ifndef GLINT_FIXED_H
+#define GLINT_FIXED_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <glint/display.h>
+#include <glint/quality.h>
+#include <glint/scene.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/*
+ * Draws one frame of `scene` on `display`. Needs no state from one call to the next, and may run in several threads
+ * or interrupts at once with separate memory.
+ *
+ * memory: `memory_bytes` bytes, aligned to 4, free for other uses after the return. With at least
+ * glint_fixed_memory_bytes() each vertex is transformed once a frame; with less, down to
+ * glint_fixed_memory_least_bytes(), vertices are transformed again for each band: slower, the same image.
+ * report: may be NULL.
+ *
+ * Returns 0; a glint_error when the arguments are not valid, in which case nothing has been written and `flush` has not
+ * been called; or what `flush` returned.
+ */
+int glint_fixed_render(const glint_scene *scene, const glint_display *display, const glint_quality *quality,
+                       void *memory, size_t memory_bytes, glint_report *report);
+
+/* Bytes that glint_fixed_render() can make use of, and that it needs at least; 0 if the arguments are not valid or the
+ * sum does not fit size_t. GLINT_MEMORY_WORDS in <glint/glint.h> bounds the first at compile time. */
+size_t glint_fixed_memory_bytes(const glint_scene *scene, const glint_display *display);
+size_t glint_fixed_memory_least_bytes(const glint_scene *scene, const glint_display *display);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

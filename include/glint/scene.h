@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The scene: camera, objects, materials and lights as plain data in fixed formats. The fixed-point backend, the float
+ * backend and the double-precision reference of the tests read these same bits.
+ *
+ * World space is right-handed, in world units (any length you like). A zeroed field means its stated default.
+ *
+ * Reflectance model, for each colour channel, at a surface point with unit normal n, unit direction c to the camera,
+ * and for each light j of intensity I_j in unit direction s_j, r_j = 2 (n.s_j) n - s_j:
+ *
+ *     L = r_a I_a + sum_j I_j [ r_d max(0, n.s_j) + r_s max(0, r_j.c)^alpha ]     specular only where n.s_j > 0
+ *
+ * B. T. Phong, "Illumination for computer generated pictures", CACM 18(6), 1975; in the form of the lecture slides by
+ * L. Sigal, CSCD18, 2008. A larger alpha makes the highlight narrower. With GLINT_BLINN, max(0, n.h_j)^alpha stands
+ * in the place of max(0, r_j.c)^alpha, h_j the unit vector along s_j + c (J. F. Blinn, SIGGRAPH 1977); where s_j = -c
+ * there is no h and no specular term. 0^0 is 1: with alpha = 0 the specular term is 1 wherever n.s_j > 0.
+ * L is clamped to 0..1 once, after the sum. A displayed code is round(255 L): the model works on display codes, with
+ * no gamma conversion.
+ */
+#ifndef GLINT_SCENE_H
+#define GLINT_SCENE_H
+
+#include <stdint.h>
+
+#include <glint/config.h>
+#include <glint/mesh.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A colour, reflectance or intensity for each channel in Q14: 16384 is exactly 1. */
+typedef struct glint_colour {
+    int16_t r_q14, g_q14, b_q14;
+} glint_colour;
+
+/* Initialisers of a glint_colour. Arguments are 8-bit codes 0..255; 255 is exactly 1. */
+#define GLINT_Q14_FROM_CODE(code) ((int16_t)(((int32_t)(code)*16384 + 127) / 255))
+#define GLINT_RGB(r, g, b)                                                                                             \
+    { GLINT_Q14_FROM_CODE(r), GLINT_Q14_FROM_CODE(g), GLINT_Q14_FROM_CODE(b) }
+#define GLINT_GREY(code) GLINT_RGB(code, code, code)
+#define GLINT_BLACK GLINT_RGB(0, 0, 0)
+#define GLINT_WHITE GLINT_RGB(255, 255, 255)
+
+/* Which cosine the specular term takes to the power alpha. */
+enum {
+    GLINT_PHONG = 0, /* r.c */
+    GLINT_BLINN = 1  /* n.h */
+};
+
+/* What a surface does with light. Reflectances are 0..1 (16384) in each channel. */
+typedef struct glint_material {
+    glint_colour ambient;   /* r_a */
+    glint_colour diffuse;   /* r_d */
+    glint_colour specular;  /* r_s */
+    uint16_t exponent_q4;   /* alpha in sixteenths: 0..GLINT_MAX_EXPONENT * 16; 32 is written 32 * 16 */
+    uint8_t specular_model; /* GLINT_PHONG (default) or GLINT_BLINN */
+} glint_material;
+
+/*
+ * Where an object stands: world = linear * model + origin.
+ *
+ * linear_q16 is row-major, Q16: linear_q16[i][k] multiplies model coordinate k into world coordinate i. Any invertible
+ * matrix will do: rotation, uniform or non-uniform scale, shear, mirror. All nine entries zero mean the identity.
+ * Normals are transformed by the inverse transpose and renormalised. A mirroring matrix (determinant < 0) keeps the
+ * outside of the mesh outside.
+ * Range: |linear_q16| <= 2^26 (1024), |origin_q16| <= 2^30 (16384 world units). The matrix counts as singular when
+ * |det| < 2^-24 m^3, m its greatest absolute entry.
+ *
+ * The functions below make and combine places; see place functions in <glint/place.h>.
+ */
+typedef struct glint_place {
+    int32_t linear_q16[3][3];
+    int32_t origin_q16[3];
+} glint_place;
+
+typedef struct glint_object {
+    const glint_mesh *mesh;
+    const glint_material *material;
+    glint_place place; /* zero: the model as it is, at the world's origin */
+} glint_object;
+
+enum {
+    GLINT_DIRECTIONAL = 0, /* parallel light, travelling along `direction` */
+    GLINT_POINT = 1        /* light from `position_q16` in all directions, without attenuation */
+};
+
+typedef struct glint_light {
+    uint8_t kind;
+    int16_t direction[3];    /* directional: the way the light travels (s = -direction); any length but 0 */
+    int32_t position_q16[3]; /* point: world position, Q16; |position_q16| <= 2^30 */
+    glint_colour colour;     /* intensity in Q14: 0..1.99994, diffuse and specular alike */
+} glint_light;
+
+/*
+ * A perspective camera. View space: x right, y down, z along the view direction, in world units.
+ * A point at view (X, Y, Z) is seen at pixel coordinates
+ *     x = width / 2 + f X / Z,   y = height / 2 + f Y / Z,   f = (height / 2) / tan(field_of_view / 2)
+ * where pixel (i, j) covers [i, i+1) x [j, j+1), j counted downwards, and is sampled at its centre (i + 1/2, j + 1/2).
+ * Right is view direction x up, down completes the frame.
+ */
+typedef struct glint_camera {
+    int32_t eye_q16[3];            /* world position, Q16; |.| <= 2^30 */
+    int32_t target_q16[3];         /* a point that the camera looks at, not the eye; |.| <= 2^30 */
+    int16_t up[3];                 /* a direction that is up on the display, any length; zero: (0, 1, 0) */
+    uint16_t field_of_view_turn16; /* vertical, in 1/65536 turn: 45 degrees is 8192; 182 (1 degree)..30947 (170) */
+    int32_t near_q16;              /* distance of the near plane along the view direction, Q16: 64 (1/1024)..2^30.
+                                    * Depth is stored as near / Z in 16 bits, so put it as far out as the scene allows. */
+} glint_camera;
+
+typedef struct glint_scene {
+    const glint_camera *camera;
+    const glint_object *objects; /* drawn in this order; where two surfaces have equal depth the first stays */
+    const glint_light *lights;
+    uint16_t object_count;
+    uint16_t light_count;
+    glint_colour ambient;    /* I_a, Q14, 0..1.99994 */
+    glint_colour background; /* where no object is, Q14, 0..1 */
+} glint_scene;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
