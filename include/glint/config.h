@@ -22,6 +22,9 @@
 /* Greatest specular exponent. At 1024 a highlight's half width at half height is 2.1 degrees. */
 #define GLINT_MAX_EXPONENT 1024
 
+/* Greatest number of lights: their sum is taken in 32 bits, with one saturation at the end. */
+#define GLINT_MAX_LIGHTS 4096
+
 /*
  * Marks constant data that stays in program memory. Only the AVR, whose flash is not in the data address space, needs
  * more than `const`: there the arrays that a glint_mesh points to MUST carry this mark, since the library reads them

@@ -43,6 +43,7 @@ typedef enum glint_error {
     GLINT_ERROR_LIGHT_POSITION = -43,  /* out of range */
     GLINT_ERROR_AMBIENT = -44,         /* scene ambient negative */
     GLINT_ERROR_BACKGROUND = -45,      /* background colour below 0 or above 1 */
+    GLINT_ERROR_LIGHT_COUNT = -46,     /* more than GLINT_MAX_LIGHTS */
 
     /* camera */
     GLINT_ERROR_CAMERA_DIRECTION = -50, /* eye equals target */

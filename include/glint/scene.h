@@ -37,7 +37,9 @@ typedef struct glint_colour {
 /* Initialisers of a glint_colour. Arguments are 8-bit codes 0..255; 255 is exactly 1. */
 #define GLINT_Q14_FROM_CODE(code) ((int16_t)(((int32_t)(code)*16384 + 127) / 255))
 #define GLINT_RGB(r, g, b)                                                                                             \
-    { GLINT_Q14_FROM_CODE(r), GLINT_Q14_FROM_CODE(g), GLINT_Q14_FROM_CODE(b) }
+    {                                                                                                                  \
+        GLINT_Q14_FROM_CODE(r), GLINT_Q14_FROM_CODE(g), GLINT_Q14_FROM_CODE(b)                                         \
+    }
 #define GLINT_GREY(code) GLINT_RGB(code, code, code)
 #define GLINT_BLACK GLINT_RGB(0, 0, 0)
 #define GLINT_WHITE GLINT_RGB(255, 255, 255)

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The files that glint-render writes beside the picture. Each is written under its name with `.part` appended and put
+ * in place only when all outputs are complete, so that an error leaves nothing behind. A path that is there and is no
+ * ordinary file (a device, a pipe) is written directly.
+ *
+ * All functions return 0, or -1 with a sentence in `error`.
+ */
+#ifndef EXAMPLES_RENDER_OUTPUT_H
+#define EXAMPLES_RENDER_OUTPUT_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <glint/quality.h>
+
+#include "options.h"
+
+typedef struct output {
+    const char *path;
+    char *part; /* the file being written; NULL when `path` itself is, or when there is nothing to put in place */
+    FILE *file; /* while it is open */
+} output;
+
+int output_open(output *out, const char *path, char *error, size_t error_bytes);
+
+/* Closes the file; an error of any write before shows here. */
+int output_close(output *out, char *error, size_t error_bytes);
+
+/* Puts a closed file in its place. */
+int output_place(output *out, char *error, size_t error_bytes);
+
+/* Removes what has not been put in place. Does nothing on a zeroed or placed output. */
+void output_drop(output *out);
+
+/* The counts of a frame and how it was drawn, as one JSON object. */
+void output_report(FILE *file, const options *o, uint16_t width_px, uint16_t height_px, size_t memory_bytes,
+                   const glint_report *report);
+
+/* A mask as PGM: 255 where a byte is not 0. */
+void output_mask(FILE *file, const uint8_t *mask, int width_px, int height_px);
+
+#endif

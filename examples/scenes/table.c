@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The list of all built-in scenes. A program that uses this file links every scene; see scenes.h.
+ */
+#include <stddef.h>
+#include <string.h>
+
+#include <examples/scenes/scenes.h>
+
+const demo_scene demo_scenes[] = {
+    {"sphere-10x6", "A lit sphere of 100 triangles", &demo_sphere_10x6, 240, 240},
+    {"sphere-32x16", "The yardstick: a lit sphere of 960 triangles", &demo_sphere_32x16, 240, 240},
+    {"sphere-64x32", "A lit sphere of 3,968 triangles", &demo_sphere_64x32, 240, 240},
+    {"blinn", "The yardstick with Blinn's n.h in place of Phong's r.c", &demo_blinn, 240, 240},
+    {"teapot", "The Utah teapot in copper", &demo_teapot, 320, 240},
+    {"torus-knot", "A (2,3) torus knot in glossy plastic", &demo_torus_knot, 240, 240},
+    {"room", "A room with furniture, a directional and two point lights", &demo_room, 320, 240},
+    {"point-light", "A near point light over a floor", &demo_point_light, 320, 240},
+    {"ambient-ratio", "Ambient to diffuse ratio growing to the right", &demo_ambient_ratio, 320, 80},
+    {"specular-grid", "Specular share growing downwards, exponent to the right", &demo_specular_grid, 320, 240},
+    {"ambient-only", "A still life in ambient light", &demo_ambient_only, 320, 240},
+    {"diffuse-only", "The still life with diffuse reflection alone", &demo_diffuse_only, 320, 240},
+    {"full-phong", "The still life with ambient, diffuse and specular reflection", &demo_full_phong, 320, 240},
+    {"lights-blue", "A white still life under a blue light", &demo_lights_blue, 320, 240},
+    {"lights-blue-red", "The white still life under a blue and a red light", &demo_lights_blue_red, 320, 240},
+    {"lights-blue-red-green", "The white still life under a blue, a red and a green light", &demo_lights_blue_red_green,
+     320, 240},
+    {"three-lights", "A white teapot under three coloured lights", &demo_three_lights, 320, 240},
+    {"many-lights", "The diffuse sum of eight dim lights", &demo_many_lights, 320, 240},
+};
+
+const uint16_t demo_scene_count = sizeof demo_scenes / sizeof demo_scenes[0];
+
+const demo_scene *demo_scene_named(const char *name) {
+    for (uint16_t i = 0; name != NULL && i < demo_scene_count; i++) {
+        if (strcmp(name, demo_scenes[i].name) == 0) {
+            return &demo_scenes[i];
+        }
+    }
+    return NULL;
+}

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * How much working memory a frame takes, at compile time. glint_fixed_memory_bytes() and glint_float_memory_bytes()
+ * give the exact number at run time, never more than this.
+ */
+#ifndef GLINT_MEMORY_WORDS
+
+#include <stdint.h>
+
+/* Upper bounds of what either backend keeps of an object, and of a light for each object. */
+#define GLINT_OBJECT_BYTES 320
+#define GLINT_LIGHT_BYTES 64
+
+/* Bytes of a row of pixels; of a page of 8 rows for GLINT_MONO_PAGES. `format` is a constant GLINT_RGB888 ... */
+#define GLINT_ROW_BYTES(format, width_px)                                                                              \
+    ((format) == GLINT_RGB888                                       ? (uint32_t)(width_px)*3                           \
+     : (format) == GLINT_RGB565 || (format) == GLINT_RGB565_SWAPPED ? (uint32_t)(width_px)*2                           \
+     : (format) == GLINT_GREY4                                      ? ((uint32_t)(width_px) + 1) / 2                   \
+                                                                    : (uint32_t)(width_px))
+
+/*
+ * uint32_t words that let each vertex be transformed once a frame and each triangle be sorted into bands, for
+ *   width_px, height_px, band_px, format, buffers   of the display (rows without gap)
+ *   vertices, triangles   sums over all objects
+ *   objects, lights       of the scene
+ * For example: static uint32_t memory[GLINT_MEMORY_WORDS(240, 240, 16, GLINT_RGB565_SWAPPED, 1, 512, 960, 1, 1)];
+ */
+#define GLINT_MEMORY_WORDS(width_px, height_px, band_px, format, buffers, vertices, triangles, objects, lights)        \
+    ((uint32_t)(objects) * (GLINT_OBJECT_BYTES / 4 + (uint32_t)(lights) * (GLINT_LIGHT_BYTES / 4)) +                   \
+     (uint32_t)(buffers) *                                                                                             \
+         ((GLINT_ROW_BYTES(format, width_px) *                                                                         \
+               ((format) == GLINT_MONO_PAGES ? ((uint32_t)(band_px) + 7) / 8 : (uint32_t)(band_px)) +                  \
+           3) /                                                                                                        \
+          4) +                                                                                                         \
+     ((uint32_t)(width_px) * (uint32_t)(band_px) + 1) / 2 +                                                            \
+     ((uint32_t)(triangles) + ((uint32_t)(height_px) + (uint32_t)(band_px)-1) / (uint32_t)(band_px) + 1) / 2 +         \
+     (uint32_t)(vertices)*3)
+
+#endif

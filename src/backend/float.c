@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The float backend: the pipeline's bodies with float operations.
+ */
+#include <glint/float.h>
+
+#include <stddef.h>
+#include <string.h>
+
+#include <glint/error.h>
+#include <glint/memory.h>
+
+#include "display/flush.h"
+#include "geometry/vertex_float.h"
+#include "memory.h"
+#include "raster/attribute_float.h"
+#include "raster/bands.h"
+#include "raster/depth.h"
+#include "validate.h"
+
+#include "lighting/terms.inc"
+
+#include "geometry/object.inc"
+
+#include "geometry/clip.inc"
+
+#include "lighting/shade.inc"
+
+#include "render.inc"
+
+int glint_float_render(const glint_scene *scene, const glint_display *display, const glint_quality *quality,
+                       void *memory, size_t memory_bytes, glint_report *report)
+{
+    return render(scene, display, quality, memory, memory_bytes, report);
+}
+
+size_t glint_float_memory_bytes(const glint_scene *scene, const glint_display *display)
+{
+    return memory_size(scene, display, false);
+}
+
+size_t glint_float_memory_least_bytes(const glint_scene *scene, const glint_display *display)
+{
+    return memory_size(scene, display, true);
+}

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+#include "display/flush.h"
+
+#include <stddef.h>
+
+void glint_flush_done(glint_transfers *transfers)
+{
+    transfers->finished = (uint8_t)(transfers->finished + 1);
+}
+
+void glint_flush_wait(const glint_display *display, uint8_t count)
+{
+    const glint_transfers *transfers = display->transfers;
+    if (transfers == NULL) {
+        return;
+    }
+    while ((uint8_t)(transfers->started - transfers->finished) >= count) {
+        if (display->wait) {
+            display->wait(display->context);
+        }
+    }
+}
+
+int glint_flush_band(const glint_display *display, const glint_band *band)
+{
+    glint_transfers *transfers = display->transfers;
+    if (transfers) {
+        /* before the call: the end may be told from within it */
+        transfers->started = (uint8_t)(transfers->started + 1);
+    }
+    const int result = display->flush(display->context, band);
+    if (result != 0 && transfers) {
+        transfers->started = (uint8_t)(transfers->started - 1); /* it did not start: nobody will tell its end */
+    }
+    return result;
+}

@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: MIT */
+#include <glint/error.h>
+
+const char *glint_error_text(int error)
+{
+    switch ((glint_error)error) {
+    case GLINT_OK:
+        return "no error";
+    case GLINT_ERROR_NULL_ARGUMENT:
+        return "scene, display, quality or memory is NULL";
+    case GLINT_ERROR_NULL_CAMERA:
+        return "the scene has no camera";
+    case GLINT_ERROR_NULL_OBJECTS:
+        return "the scene's objects are NULL although object_count is not 0";
+    case GLINT_ERROR_NULL_LIGHTS:
+        return "the scene's lights are NULL although light_count is not 0";
+    case GLINT_ERROR_NULL_MESH:
+        return "an object has no mesh, or its mesh lacks positions, normals or triangles";
+    case GLINT_ERROR_NULL_MATERIAL:
+        return "an object has no material";
+    case GLINT_ERROR_NULL_FLUSH:
+        return "the display has no flush function";
+    case GLINT_ERROR_MESH_EMPTY:
+        return "a mesh has fewer than 3 vertices or no triangle";
+    case GLINT_ERROR_MESH_INDEX:
+        return "a triangle names a vertex that its mesh does not have";
+    case GLINT_ERROR_MESH_FRACTION:
+        return "a mesh's fraction_bits is not 0..24";
+    case GLINT_ERROR_PLACE_SINGULAR:
+        return "an object's place is singular: it flattens the mesh";
+    case GLINT_ERROR_PLACE_RANGE:
+        return "an object's place has an entry out of range (linear 1024, origin 16384)";
+    case GLINT_ERROR_REFLECTANCE:
+        return "a material has a reflectance below 0 or above 1";
+    case GLINT_ERROR_EXPONENT:
+        return "a material's exponent is above 1024";
+    case GLINT_ERROR_SPECULAR_MODEL:
+        return "a material's specular_model is unknown";
+    case GLINT_ERROR_LIGHT_KIND:
+        return "a light's kind is unknown";
+    case GLINT_ERROR_LIGHT_DIRECTION:
+        return "a directional light's direction is zero";
+    case GLINT_ERROR_LIGHT_COLOUR:
+        return "a light's colour is negative";
+    case GLINT_ERROR_LIGHT_POSITION:
+        return "a point light's position is out of range (16384)";
+    case GLINT_ERROR_LIGHT_COUNT:
+        return "the scene has more than 4096 lights";
+    case GLINT_ERROR_AMBIENT:
+        return "the scene's ambient light is negative";
+    case GLINT_ERROR_BACKGROUND:
+        return "the scene's background colour is below 0 or above 1";
+    case GLINT_ERROR_CAMERA_DIRECTION:
+        return "the camera's eye and target are the same point";
+    case GLINT_ERROR_CAMERA_UP:
+        return "the camera's up direction is parallel to its view direction";
+    case GLINT_ERROR_CAMERA_FIELD:
+        return "the camera's field of view is not 1..170 degrees";
+    case GLINT_ERROR_CAMERA_NEAR:
+        return "the camera's near distance is not 1/1024..16384";
+    case GLINT_ERROR_CAMERA_RANGE:
+        return "the camera's eye or target is out of range (16384)";
+    case GLINT_ERROR_DISPLAY_SIZE:
+        return "the display's width or height is not 1..2048";
+    case GLINT_ERROR_DISPLAY_BAND:
+        return "the page format needs band_px to be a multiple of 8";
+    case GLINT_ERROR_DISPLAY_FORMAT:
+        return "the display's pixel format is unknown";
+    case GLINT_ERROR_DISPLAY_DITHER:
+        return "the display's dither is unknown";
+    case GLINT_ERROR_DISPLAY_BUFFERS:
+        return "the display's buffer_count is above 2, or 2 without transfers";
+    case GLINT_ERROR_DISPLAY_STRIDE:
+        return "the display's stride_bytes is shorter than a row or above 1048575";
+    case GLINT_ERROR_SHADING:
+        return "the quality's shading is unknown";
+    case GLINT_ERROR_MEMORY_SIZE:
+        return "the memory is smaller than the least that the scene and display need";
+    case GLINT_ERROR_MEMORY_ALIGNMENT:
+        return "the memory is not aligned to 4 bytes";
+    }
+    return "unknown error";
+}

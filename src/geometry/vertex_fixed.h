@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The vertex stage in fixed point: model position to view, and view to screen.
+ *
+ * A position is transformed by 16 x 32 bit products; a coordinate errs by at most 4 units of at most 2^-29 of the
+ * object's extent (its farthest point from the eye, where a position could be). The projection adds a relative 2^-27.9.
+ */
+#ifndef GLINT_GEOMETRY_VERTEX_FIXED_H
+#define GLINT_GEOMETRY_VERTEX_FIXED_H
+
+#include "raster/edges.h"
+
+typedef glint_transform transform_state;
+
+/* X and Y with xy_fraction, Z with z_fraction fractional bits; below 2^30. */
+typedef struct view_vertex {
+    int32_t x, y, z;
+} view_vertex;
+
+static inline void transform_prepare(transform_state *state, const glint_transform *transform)
+{
+    *state = *transform;
+}
+
+static inline int32_t transform_row(const int32_t row[4], const int16_t position[3])
+{
+    return multiply_q16(row[0], position[0]) + multiply_q16(row[1], position[1]) + multiply_q16(row[2], position[2]) +
+           row[3];
+}
+
+static inline view_vertex vertex_to_view(const transform_state *state, const int16_t position[3])
+{
+    const view_vertex v = {transform_row(state->x, position), transform_row(state->y, position),
+                           transform_row(state->z, position)};
+    return v;
+}
+
+static inline bool vertex_is_near(const transform_state *state, const view_vertex *v)
+{
+    return v->z < state->near_z;
+}
+
+/* (coordinate / Z) in sub-pixels from the display's centre; false beyond the guard band. r is 2^62 / (Z 2^zeros). */
+static inline bool project_coordinate(int32_t coordinate, uint32_t r, int down, int32_t centre, int32_t *screen)
+{
+    const int64_t product = (int64_t)coordinate * r; /* < 2^61 */
+    if (down < 1 || down > 62) {
+        *screen = centre;
+        return down > 62 || product == 0; /* infinitely small or large */
+    }
+    const int64_t subpixels = (product + ((int64_t)1 << (down - 1))) >> down;
+    if (subpixels < -(int32_t)GLINT_GUARD_PX * GLINT_SUBPIXEL || subpixels > (int32_t)GLINT_GUARD_PX * GLINT_SUBPIXEL) {
+        return false;
+    }
+    *screen = centre + (int32_t)subpixels;
+    return true;
+}
+
+/* Z >= near_z, but for the rounding of a clipped vertex. False beyond the guard band. */
+static inline bool vertex_project(const transform_state *state, const view_vertex *v, const glint_view *view,
+                                  glint_screen_vertex *screen)
+{
+    const uint32_t z = v->z > 0 ? (uint32_t)v->z : 1;
+    const int zeros = clz32(z);
+    const uint32_t r = glint_reciprocal_q31(z << zeros);
+    /* 1/Z = r 2^(z_fraction + zeros - 62); with X 2^-xy_fraction and 2^8 sub-pixels in a px: */
+    const int down = 62 - GLINT_SUBPIXEL_BITS - zeros - state->z_fraction + state->xy_fraction;
+    if (!project_coordinate(v->x, r, down, (int32_t)view->width_px * (GLINT_SUBPIXEL / 2), &screen->x) ||
+        !project_coordinate(v->y, r, down, (int32_t)view->height_px * (GLINT_SUBPIXEL / 2), &screen->y)) {
+        return false;
+    }
+    const int depth_down = 62 - zeros - state->z_fraction + state->depth_near.f;
+    const int64_t depth = depth_down < 0    ? GLINT_DEPTH_SPAN
+                          : depth_down > 62 ? 0
+                                            : ((int64_t)state->depth_near.m * r) >> depth_down; /* near SPAN / Z */
+    screen->depth_q30 = GLINT_DEPTH_BIAS + (int32_t)(depth < GLINT_DEPTH_SPAN ? depth : GLINT_DEPTH_SPAN);
+    return true;
+}
+
+/*
+ * Clipping. Signed distance to a plane, positive inside: 0 is the near plane, 1..4 the sides of the guard band, a
+ * little within the band so that rounding does not leave it.
+ */
+typedef int64_t plane_distance;
+
+static inline plane_distance clip_distance(const transform_state *state, const view_vertex *v, int plane)
+{
+    if (plane == 0) {
+        return (int64_t)v->z - state->near_z;
+    }
+    const int32_t coordinate = plane <= 2 ? v->x : v->y;
+    const int64_t edge =
+        shift_round64((int64_t)v->z * (GLINT_GUARD_PX - 4), state->xy_fraction - state->z_fraction); /* px x units */
+    return plane & 1 ? edge - coordinate : edge + coordinate;
+}
+
+/* inside / (inside - outside) in Q30, inside >= 0 > outside. Relative error 2^-27. */
+typedef int32_t clip_ratio;
+
+static inline clip_ratio clip_crossing(plane_distance inside, plane_distance outside)
+{
+    const uint64_t whole = (uint64_t)inside + magnitude64(outside);
+    const int bits = bit_length64(whole);
+    const uint32_t divisor = (uint32_t)(bits > 32 ? whole >> (bits - 32) : whole << (32 - bits));
+    const uint32_t dividend = (uint32_t)(bits > 32 ? (uint64_t)inside >> (bits - 32) : (uint64_t)inside << (32 - bits));
+    /* dividend / divisor = dividend r / 2^62 */
+    return (int32_t)(((uint64_t)dividend * glint_reciprocal_q31(divisor)) >> 32);
+}
+
+static inline int32_t clip_blend(int32_t from, int32_t to, clip_ratio t_q30)
+{
+    return from + (int32_t)((((int64_t)to - from) * t_q30) >> 30);
+}
+
+static inline bool vertex_is_finite(const view_vertex *v)
+{
+    (void)v;
+    return true;
+}
+
+#endif

@@ -1,0 +1,365 @@
+/* SPDX-License-Identifier: MIT */
+#include "geometry/view.h"
+
+#include <glint/error.h>
+
+#include "geometry/place.h"
+
+static void cross(const int32_t a[3], const int32_t b[3], int64_t out[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        out[k] = (int64_t)a[i] * b[j] - (int64_t)a[j] * b[i];
+    }
+}
+
+/* matrix . v; the caller answers for the sum's range. */
+static void multiply(const int32_t (*matrix)[3], const int64_t v[3], int64_t out[3])
+{
+    for (int i = 0; i < 3; i++) {
+        out[i] = matrix[i][0] * v[0] + matrix[i][1] * v[1] + matrix[i][2] * v[2];
+    }
+}
+
+static bool camera_basis(const glint_camera *camera, int32_t basis_q30[3][3], int *error)
+{
+    int64_t forward[3], v[3];
+    int32_t up[3] = {camera->up[0], camera->up[1], camera->up[2]};
+    if (up[0] == 0 && up[1] == 0 && up[2] == 0) {
+        up[1] = 1;
+    }
+    for (int k = 0; k < 3; k++) {
+        forward[k] = (int64_t)camera->target_q16[k] - camera->eye_q16[k];
+    }
+    if (!glint_unit_q30(forward, basis_q30[2])) {
+        *error = GLINT_ERROR_CAMERA_DIRECTION;
+        return false;
+    }
+    cross(basis_q30[2], up, v);
+    /* parallel but for rounding: sine below 2^-20 for the longest `up`, below 2^-5 for (1, 0, 0) */
+    bool parallel = true;
+    for (int k = 0; k < 3; k++) {
+        parallel = parallel && magnitude64(v[k]) < ((uint64_t)1 << 25);
+    }
+    if (parallel || !glint_unit_q30(v, basis_q30[0])) {
+        *error = GLINT_ERROR_CAMERA_UP;
+        return false;
+    }
+    cross(basis_q30[2], basis_q30[0], v);
+    (void)glint_unit_q30(v, basis_q30[1]);
+    return true;
+}
+
+int glint_camera_check(const glint_camera *camera)
+{
+    int32_t basis_q30[3][3];
+    int error = GLINT_OK;
+    (void)camera_basis(camera, basis_q30, &error);
+    return error;
+}
+
+void glint_view_set_up(glint_view *view, const glint_camera *camera, uint16_t width_px, uint16_t height_px)
+{
+    int error;
+    (void)camera_basis(camera, view->basis_q30, &error);
+    for (int k = 0; k < 3; k++) {
+        view->eye_q16[k] = camera->eye_q16[k];
+    }
+    view->width_px = width_px;
+    view->height_px = height_px;
+    view->near_units = glint_scaled_from((uint32_t)camera->near_q16, 16);
+    /* focal = height / 2 cos / sin */
+    int32_t sine_q30, cosine_q30;
+    glint_sine_cosine_q30(camera->field_of_view_turn16 >> 1, &sine_q30, &cosine_q30);
+    if (camera->field_of_view_turn16 & 1) {
+        /* half of an odd angle: sine and cosine half a step (pi / 65536) farther on, by the addition theorem */
+        const int64_t step_q30 = 51472, s = sine_q30, c = cosine_q30,
+                      half_square_q30 = 1; /* (pi/65536)^2 / 2 = 1.15e-9 */
+        sine_q30 = (int32_t)(s + ((c * step_q30) >> 30) - ((s * half_square_q30) >> 30));
+        cosine_q30 = (int32_t)(c - ((s * step_q30) >> 30) - ((c * half_square_q30) >> 30));
+    }
+    const glint_scaled inverse_sine = glint_scaled_inverse(glint_scaled_from((uint32_t)sine_q30, 30));
+    const glint_scaled cotangent =
+        glint_scaled_from((uint64_t)cosine_q30 * (uint32_t)inverse_sine.m, 30 + inverse_sine.f);
+    view->focal_px = glint_scaled_from((uint64_t)cotangent.m * height_px, cotangent.f + 1);
+    view->inverse_focal_px = glint_scaled_inverse(view->focal_px);
+}
+
+/* Three rows of 64-bit entries, brought to int32 with a common number of fractional bits. */
+static void scale_row(const int64_t linear_q46[3], int64_t origin_q46, int fraction_bits, int fraction, int32_t row[4])
+{
+    for (int k = 0; k < 3; k++) {
+        row[k] = (int32_t)shift_round64(linear_q46[k], fraction + 16 - 46 - fraction_bits);
+    }
+    row[3] = (int32_t)shift_round64(origin_q46, fraction - 46);
+}
+
+/* Number of bits that a row's result can have before the binary point (negative for a small one). */
+static int row_bits(const int64_t linear_q46[3], int64_t origin_q46, int fraction_bits)
+{
+    const uint64_t sum = magnitude64(linear_q46[0]) + magnitude64(linear_q46[1]) + magnitude64(linear_q46[2]);
+    const int linear_bits = bit_length64(sum) - 46 + 15 - fraction_bits; /* |p| <= 2^15 */
+    const int origin_bits = bit_length64(magnitude64(origin_q46)) - 46;
+    return (linear_bits > origin_bits ? linear_bits : origin_bits) + 1;
+}
+
+static void multiply_row(int32_t row[4], int32_t factor_m)
+{
+    for (int k = 0; k < 4; k++) {
+        row[k] = (int32_t)(((int64_t)row[k] * factor_m) >> 31); /* factor_m < 2^31: does not grow */
+    }
+}
+
+void glint_transform_set_up(glint_transform *transform, const glint_view *view, const glint_object *object)
+{
+    int32_t linear_q16[3][3];
+    int64_t to_view_q46[3][3], offset_q16[3], origin_q46[3];
+    const int fraction_bits = object->mesh->fraction_bits;
+    glint_linear_of(&object->place, linear_q16);
+    for (int i = 0; i < 3; i++) {
+        offset_q16[i] = (int64_t)object->place.origin_q16[i] - view->eye_q16[i]; /* <= 2^31 */
+        for (int k = 0; k < 3; k++) {
+            /* <= 2^30 2^26 sqrt(3) */
+            to_view_q46[i][k] = (int64_t)view->basis_q30[i][0] * linear_q16[0][k] +
+                                (int64_t)view->basis_q30[i][1] * linear_q16[1][k] +
+                                (int64_t)view->basis_q30[i][2] * linear_q16[2][k];
+        }
+    }
+    multiply(view->basis_q30, offset_q16, origin_q46); /* a unit row times a vector: <= 2^30 2^31 sqrt(3) < 2^62 */
+
+    const int x_bits = row_bits(to_view_q46[0], origin_q46[0], fraction_bits);
+    const int y_bits = row_bits(to_view_q46[1], origin_q46[1], fraction_bits);
+    const int xy_fraction = 30 - (x_bits > y_bits ? x_bits : y_bits);
+    const int z_fraction = 30 - row_bits(to_view_q46[2], origin_q46[2], fraction_bits);
+    scale_row(to_view_q46[0], origin_q46[0], fraction_bits, xy_fraction, transform->x);
+    scale_row(to_view_q46[1], origin_q46[1], fraction_bits, xy_fraction, transform->y);
+    scale_row(to_view_q46[2], origin_q46[2], fraction_bits, z_fraction, transform->z);
+    /* X and Y times the focal length m 2^-f: (row m) >> 31 has f - 31 more fractional bits */
+    multiply_row(transform->x, view->focal_px.m);
+    multiply_row(transform->y, view->focal_px.m);
+    transform->xy_fraction = (int16_t)(xy_fraction + view->focal_px.f - 31);
+    transform->z_fraction = (int16_t)z_fraction;
+
+    const glint_scaled near = view->near_units;
+    const int near_shift = z_fraction - near.f;
+    const int64_t near_z = near_shift > 1 ? INT32_MAX : shift_round64(near.m, near_shift);
+    transform->near_z = near_z < 1 ? 1 : saturate_s32(near_z);
+    transform->depth_near = glint_scaled_from((uint64_t)near.m * (uint32_t)GLINT_DEPTH_SPAN, near.f);
+}
+
+/* Is linear^T linear = s^2 identity, nearly enough that angles are kept within 2^-13? Gives s^2. */
+static bool keeps_angles(int32_t linear_q16[3][3], uint64_t *square_q32)
+{
+    int64_t gram[3][3]; /* <= 3 2^52 */
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            gram[i][k] = (int64_t)linear_q16[0][i] * linear_q16[0][k] + (int64_t)linear_q16[1][i] * linear_q16[1][k] +
+                         (int64_t)linear_q16[2][i] * linear_q16[2][k];
+        }
+    }
+    const uint64_t limit = (uint64_t)gram[0][0] >> 13;
+    *square_q32 = (uint64_t)(gram[0][0] + gram[1][1] + gram[2][2]) / 3;
+    return magnitude64(gram[0][1]) <= limit && magnitude64(gram[0][2]) <= limit && magnitude64(gram[1][2]) <= limit &&
+           magnitude64(gram[0][0] - gram[1][1]) <= limit && magnitude64(gram[0][0] - gram[2][2]) <= limit;
+}
+
+/* The cofactor matrix, whose rows are cross products of rows, and the determinant; divided by 2^shift. */
+static void cofactors(int32_t linear_q16[3][3], int64_t out[3][3])
+{
+    for (int i = 0; i < 3; i++) {
+        cross(linear_q16[(i + 1) % 3], linear_q16[(i + 2) % 3], out[i]); /* <= 2 2^52 */
+    }
+}
+
+/* Shifts nine numbers alike so that the sum of magnitudes in each row is below 2^29. */
+static void normalise_rows(int64_t in[3][3], int32_t out[3][3])
+{
+    int bits = 0;
+    for (int i = 0; i < 3; i++) {
+        const int row = bit_length64(magnitude64(in[i][0]) + magnitude64(in[i][1]) + magnitude64(in[i][2]));
+        bits = row > bits ? row : bits;
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            out[i][k] = (int32_t)shift_round64(in[i][k], 29 - bits);
+        }
+    }
+}
+
+/* Sign of the determinant from the cofactors: 1 or -1, 0 when |det| < 2^-24 m^3, m the greatest entry. */
+static int determinant_sign(int32_t linear_q16[3][3], int64_t cofactor[3][3])
+{
+    uint32_t greatest = 0;
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            const uint32_t entry = magnitude32(linear_q16[i][k]);
+            greatest = entry > greatest ? entry : greatest;
+        }
+    }
+    /* entries to 2^26 for precision; cofactors to 2^50 by twice that shift, halved in number by 2^20 for the product */
+    const int up = 26 - bit_length64(greatest);
+    int64_t determinant = 0;
+    for (int k = 0; k < 3; k++) {
+        determinant += shift_round64(linear_q16[0][k], up) * shift_round64(cofactor[0][k], 2 * up - 20); /* < 2^60 */
+    }
+    /* m in [2^25, 2^26): m^3 2^-24 2^-20 is in [2^31, 2^34) */
+    const uint64_t m = (uint64_t)greatest << up;
+    const uint64_t limit = (((m * m) >> 32) * m) >> 12;
+    return magnitude64(determinant) < limit || determinant == 0 ? 0 : determinant > 0 ? 1 : -1;
+}
+
+int glint_place_check(const glint_place *place)
+{
+    int32_t linear_q16[3][3];
+    int64_t cofactor[3][3];
+    glint_linear_of(place, linear_q16);
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            if (magnitude32(linear_q16[i][k]) > (uint32_t)1 << 26) {
+                return GLINT_ERROR_PLACE_RANGE;
+            }
+        }
+        if (magnitude32(place->origin_q16[i]) > (uint32_t)1 << 30) {
+            return GLINT_ERROR_PLACE_RANGE;
+        }
+    }
+    cofactors(linear_q16, cofactor);
+    return determinant_sign(linear_q16, cofactor) == 0 ? GLINT_ERROR_PLACE_SINGULAR : GLINT_OK;
+}
+
+/* Rays through pixel centres: view components ((x + 1/2 - width/2) / f, (y + 1/2 - height/2) / f, 1), turned by the
+ * transpose of `to_view`, whose columns are the lighting frame's axes seen from the camera. */
+static void rays_set_up(glint_frame *frame, const glint_view *view, int32_t to_view_q30[3][3])
+{
+    const glint_scaled inverse = view->inverse_focal_px;
+    /* |ray| <= 1 + (width + height) / 2f */
+    const int64_t half_px = ((int64_t)view->width_px + view->height_px) / 2 + 1;
+    const int64_t extent_q8 = 256 + shift_round64(half_px * inverse.m, 8 - inverse.f);
+    frame->ray_fraction = (int16_t)(29 + 8 - bit_length64((uint64_t)extent_q8));
+    for (int k = 0; k < 3; k++) {
+        int64_t step[2];
+        for (int i = 0; i < 2; i++) {
+            /* Q30 times m 2^-f, kept in 62 bits for the origin */
+            step[i] = (int64_t)to_view_q30[i][k] * inverse.m;
+            frame->ray[i + 1][k] = (int32_t)shift_round64(step[i], frame->ray_fraction - 30 - inverse.f);
+        }
+        /* from pixel (0, 0): (1 - width) / 2 and (1 - height) / 2 steps; steps are cut to 49 bits for the product */
+        const int64_t sideways =
+            (step[0] >> 13) * (1 - (int64_t)view->width_px) + (step[1] >> 13) * (1 - (int64_t)view->height_px);
+        frame->ray[0][k] = (int32_t)(shift_round64(sideways, frame->ray_fraction - 30 - inverse.f + 13 - 1) +
+                                     shift_round64(to_view_q30[2][k], frame->ray_fraction - 30));
+    }
+}
+
+void glint_frame_set_up(glint_frame *frame, const glint_view *view, const glint_object *object)
+{
+    int32_t linear_q16[3][3], to_view_q30[3][3];
+    uint64_t square_q32;
+    glint_linear_of(&object->place, linear_q16);
+    int64_t cofactor[3][3];
+    cofactors(linear_q16, cofactor);
+    const int sign = determinant_sign(linear_q16, cofactor);
+    frame->mirrored = sign < 0;
+    frame->model_axes = keeps_angles(linear_q16, &square_q32);
+    if (frame->model_axes) {
+        /* s = sqrt(s^2), with the square brought to 61 or 62 bits */
+        const int up = (62 - bit_length64(square_q32)) & ~1;
+        const glint_scaled s = glint_scaled_from(glint_square_root_u64(square_q32 << up), 16 + up / 2);
+        const glint_scaled inverse = glint_scaled_inverse(s);
+        for (int i = 0; i < 3; i++) {
+            for (int k = 0; k < 3; k++) {
+                frame->from_world_q30[i][k] =
+                    (int32_t)shift_round64((int64_t)linear_q16[k][i] * inverse.m, 30 - 16 - inverse.f);
+            }
+        }
+        for (int i = 0; i < 3; i++) {
+            for (int k = 0; k < 3; k++) {
+                const int32_t *axis = frame->from_world_q30[k]; /* axis k of the frame in world components */
+                to_view_q30[i][k] = (int32_t)shift_round64((int64_t)view->basis_q30[i][0] * axis[0] +
+                                                               (int64_t)view->basis_q30[i][1] * axis[1] +
+                                                               (int64_t)view->basis_q30[i][2] * axis[2],
+                                                           -30);
+            }
+        }
+    } else {
+        int64_t rows[3][3];
+        int32_t world_rows[3][3];
+        normalise_rows(cofactor, world_rows);
+        for (int i = 0; i < 3; i++) {
+            for (int k = 0; k < 3; k++) {
+                rows[i][k] = sign * ((int64_t)view->basis_q30[i][0] * world_rows[0][k] +
+                                     (int64_t)view->basis_q30[i][1] * world_rows[1][k] +
+                                     (int64_t)view->basis_q30[i][2] * world_rows[2][k]);
+                frame->from_world_q30[i][k] = view->basis_q30[i][k];
+                to_view_q30[i][k] = i == k ? (int32_t)1 << 30 : 0;
+            }
+        }
+        normalise_rows(rows, frame->normal_rows);
+    }
+    rays_set_up(frame, view, to_view_q30);
+}
+
+void glint_placement_set_up(glint_placement *placement, const glint_frame *frame, const glint_view *view,
+                            const glint_object *object)
+{
+    int32_t linear_q16[3][3];
+    int64_t rows_q46[3][3], offset_q16[3], origin_q46[3];
+    int bits = -64;
+    const int fraction_bits = object->mesh->fraction_bits;
+    glint_linear_of(&object->place, linear_q16);
+    for (int i = 0; i < 3; i++) {
+        offset_q16[i] = (int64_t)object->place.origin_q16[i] - view->eye_q16[i];
+        for (int k = 0; k < 3; k++) {
+            rows_q46[i][k] = (int64_t)frame->from_world_q30[i][0] * linear_q16[0][k] +
+                             (int64_t)frame->from_world_q30[i][1] * linear_q16[1][k] +
+                             (int64_t)frame->from_world_q30[i][2] * linear_q16[2][k];
+        }
+    }
+    multiply(frame->from_world_q30, offset_q16, origin_q46);
+    for (int i = 0; i < 3; i++) {
+        const int row = row_bits(rows_q46[i], origin_q46[i], fraction_bits);
+        bits = row > bits ? row : bits;
+    }
+    const glint_scaled inverse_near = glint_scaled_inverse(view->near_units);
+    for (int i = 0; i < 3; i++) {
+        scale_row(rows_q46[i], origin_q46[i], fraction_bits, 30 - bits, placement->rows[i]);
+        multiply_row(placement->rows[i], inverse_near.m);
+    }
+    placement->fraction = (int16_t)(30 - bits + inverse_near.f - 31);
+}
+
+void glint_light_direction(const glint_frame *frame, const glint_light *light, int32_t unit_q30[3])
+{
+    int64_t towards[3], turned[3];
+    for (int k = 0; k < 3; k++) {
+        towards[k] = -(int64_t)light->direction[k];
+    }
+    multiply(frame->from_world_q30, towards, turned);
+    (void)glint_unit_q30(turned, unit_q30);
+}
+
+void glint_light_position(const glint_frame *frame, const glint_view *view, const glint_light *light,
+                          int32_t position[3], int16_t *fraction)
+{
+    int64_t offset_q16[3], turned_q46[3];
+    uint64_t any = 1;
+    for (int k = 0; k < 3; k++) {
+        offset_q16[k] = (int64_t)light->position_q16[k] - view->eye_q16[k];
+    }
+    multiply(frame->from_world_q30, offset_q16, turned_q46);
+    for (int k = 0; k < 3; k++) {
+        any |= magnitude64(turned_q46[k]);
+    }
+    /* times 1 / near = m 2^-f: the greatest component to 30 bits before and after */
+    const glint_scaled inverse_near = glint_scaled_inverse(view->near_units);
+    int shift = 30 - bit_length64(any);
+    int bits = 46 + shift + inverse_near.f - 31;
+    if (bits > 29) {
+        shift -= bits - 29;
+        bits = 29;
+    }
+    for (int k = 0; k < 3; k++) {
+        position[k] = (int32_t)((shift_round64(turned_q46[k], shift) * inverse_near.m) >> 31);
+    }
+    *fraction = (int16_t)bits;
+}

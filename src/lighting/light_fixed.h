@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The operations of the light terms in fixed point.
+ *
+ * Unit vectors are Q15 in int32_t (32768 is 1). A product of two components of unit vectors is at most 2^30 in
+ * magnitude, and so is their dot product (Cauchy-Schwarz), partial sums included.
+ *
+ * The specular cosine enters as gap = 1 - cosine = |a - b|^2 / 2 of the two unit vectors: near the highlight's centre,
+ * where a large exponent magnifies errors, rounding of a and b then enters the gap only to second order.
+ */
+#ifndef GLINT_LIGHTING_LIGHT_FIXED_H
+#define GLINT_LIGHTING_LIGHT_FIXED_H
+
+#include "display/pack.h"
+#include "geometry/view.h"
+
+typedef int32_t real;
+
+/* Intensity times reflectance of one channel each, Q15: 0..65536. */
+typedef struct light_product {
+    uint32_t q15[3];
+} light_product;
+
+/* Sum of light, Q16 a channel: with GLINT_MAX_LIGHTS lights of 2 (diffuse) + 2 (specular) at most 2^12 2^18 = 2^30. */
+typedef struct light_sum {
+    uint32_t q16[3];
+} light_sum;
+
+typedef char glint_assert_light_sum[(uint64_t)GLINT_MAX_LIGHTS * 4 * 65536 + 4 * 65536 < 0xffffffffu ? 1 : -1];
+
+static inline light_product light_multiply(const glint_colour *reflectance, const glint_colour *intensity)
+{
+    const light_product product = {{
+        ((uint32_t)(int32_t)reflectance->r_q14 * (uint32_t)(int32_t)intensity->r_q14 + (1 << 12)) >> 13,
+        ((uint32_t)(int32_t)reflectance->g_q14 * (uint32_t)(int32_t)intensity->g_q14 + (1 << 12)) >> 13,
+        ((uint32_t)(int32_t)reflectance->b_q14 * (uint32_t)(int32_t)intensity->b_q14 + (1 << 12)) >> 13,
+    }};
+    return product;
+}
+
+static inline bool light_product_is_zero(const light_product *product)
+{
+    return (product->q15[0] | product->q15[1] | product->q15[2]) == 0;
+}
+
+/* sum += product factor, factor Q15 0..32768 */
+static inline void light_add(light_sum *sum, const light_product *product, real factor_q15)
+{
+    for (int k = 0; k < 3; k++) {
+        sum->q16[k] += (product->q15[k] * (uint32_t)factor_q15 + (1 << 13)) >> 14;
+    }
+}
+
+static inline void light_start(light_sum *sum, const light_product *ambient)
+{
+    for (int k = 0; k < 3; k++) {
+        sum->q16[k] = ambient->q15[k] << 1;
+    }
+}
+
+static inline uint16_t light_clamp(uint32_t q16)
+{
+    return (uint16_t)(q16 >= 65536 ? 32768 : (q16 + 1) >> 1);
+}
+
+static inline glint_shade light_finish(const light_sum *sum)
+{
+    const glint_shade shade = {light_clamp(sum->q16[0]), light_clamp(sum->q16[1]), light_clamp(sum->q16[2])};
+    return shade;
+}
+
+static inline bool unit(const real v[3], real out[3])
+{
+    return glint_unit_q15(v, out);
+}
+
+static inline real cosine_of(const real a[3], const real b[3])
+{
+    return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + (1 << 14)) >> 15;
+}
+
+/* Q31: |a - b|^2 / 2 of two vectors in Q15; anything of 1 (2^31) or above as 2^31. */
+static inline uint32_t gap_between(const real a[3], const real b[3])
+{
+    const uint32_t one = (uint32_t)1 << 31;
+    uint32_t sum = 0;
+    for (int k = 0; k < 3; k++) {
+        const uint32_t d = magnitude32(a[k] - b[k]);
+        if (d > 46340) { /* d^2 > 2^31 */
+            return one;
+        }
+        sum += d * d; /* < 2^31 + 2^31 */
+        if (sum >= one) {
+            return one;
+        }
+    }
+    return sum;
+}
+
+/* r = 2 (n.s) n - s against c. */
+static inline uint32_t gap_mirror(const real n[3], const real s[3], const real c[3], real cosine_ns)
+{
+    real r[3];
+    for (int k = 0; k < 3; k++) {
+        r[k] = ((cosine_ns * n[k] + (1 << 13)) >> 14) - s[k];
+    }
+    return gap_between(r, c);
+}
+
+/* h along s + c against n; false where s = -c. */
+static inline bool gap_half(const real n[3], const real s[3], const real c[3], uint32_t *gap)
+{
+    const real sum[3] = {s[0] + c[0], s[1] + c[1], s[2] + c[2]};
+    real h[3];
+    if ((magnitude32(sum[0]) | magnitude32(sum[1]) | magnitude32(sum[2])) < 8 || !unit(sum, h)) {
+        return false; /* opposite within rounding */
+    }
+    *gap = gap_between(n, h);
+    return true;
+}
+
+typedef uint32_t light_gap;
+typedef uint16_t light_exponent;
+
+static inline light_exponent exponent_from(uint16_t exponent_q4)
+{
+    return exponent_q4;
+}
+
+static inline real light_power(light_gap gap, light_exponent exponent)
+{
+    return glint_power_q15(gap, exponent);
+}
+
+/* The lit point. The ray may have any length: only its direction counts, and its size against the inverse distance. */
+typedef struct surface {
+    real normal[3];
+    real ray[3]; /* from the eye to the point, divided by its depth w (or by the near distance), ray_fraction bits */
+    int32_t inverse; /* near / w (or 1) times 2^inverse_fraction, below 2^30 + 2^17 */
+    int16_t ray_fraction, inverse_fraction;
+} surface;
+
+/* A light's direction (Q15) or position (in near distances, with `fraction` bits). */
+typedef struct light_place {
+    real v[3];
+    int16_t fraction;
+} light_place;
+
+static inline void light_place_direction(light_place *place, const glint_frame *frame, const glint_light *light)
+{
+    int32_t unit_q30[3];
+    glint_light_direction(frame, light, unit_q30);
+    for (int k = 0; k < 3; k++) {
+        place->v[k] = (unit_q30[k] + (1 << 14)) >> 15;
+    }
+}
+
+static inline void light_place_position(light_place *place, const glint_frame *frame, const glint_view *view,
+                                        const glint_light *light)
+{
+    glint_light_position(frame, view, light, place->v, &place->fraction);
+    for (int k = 0; k < 3; k++) {
+        /* a surface's inverse distance is in units of GLINT_DEPTH_SPAN, not 2^30: times 65536/65519 = 1 + 17/65519,
+         * which is 1114402 / 2^32 */
+        place->v[k] += multiply_high_s32(place->v[k], 1114402);
+    }
+}
+
+/* Unit vector from the surface to a point light: along position inverse - ray. False if they are the same point. */
+static inline bool light_towards(const light_place *light, const surface *at, real out[3])
+{
+    /* the product has this many fractional bits; the coarser of the two sets the sum's */
+    const int fraction = light->fraction + at->inverse_fraction - 32;
+    const int finer = fraction - at->ray_fraction;
+    real v[3];
+    for (int k = 0; k < 3; k++) {
+        const real product = multiply_high_s32(light->v[k], at->inverse); /* <= 2^28 */
+        if (finer >= 0) {
+            v[k] = (finer > 31 ? 0 : product >> finer) - at->ray[k];
+        } else {
+            v[k] = product - (finer < -31 ? 0 : at->ray[k] >> -finer);
+        }
+    }
+    return unit(v, out);
+}
+
+#endif

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+#include "memory.h"
+
+#include "raster/bands.h"
+#include "raster/edges.h"
+
+static uint64_t whole_words(uint64_t bytes)
+{
+    return (bytes + 3) & ~(uint64_t)3;
+}
+
+void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glint_display *display,
+                        uint32_t object_bytes, uint32_t light_bytes)
+{
+    const uint16_t height = display->height_px;
+    const uint16_t band = display->band_px == 0 || display->band_px > height ? height : display->band_px;
+    const uint16_t rows = display->format == GLINT_MONO_PAGES ? (uint16_t)((band + 7u) / 8) : band;
+    uint64_t vertex_count = 0;
+    uint64_t triangle_count = 0;
+    for (uint16_t i = 0; i < scene->object_count; i++) {
+        vertex_count += scene->objects[i].mesh->vertex_count;
+        triangle_count += scene->objects[i].mesh->triangle_count;
+    }
+    needs->stride = display->stride_bytes ? display->stride_bytes : glint_row_bytes(display->format, display->width_px);
+    needs->band_px = band;
+    needs->band_count = (uint16_t)((height + band - 1u) / band);
+    needs->buffer = (uint32_t)whole_words((uint64_t)rows * needs->stride);
+    needs->buffers = (uint64_t)needs->buffer * (display->buffer_count == 2 ? 2 : 1);
+    needs->depth = whole_words((uint64_t)display->width_px * band * 2);
+    needs->objects = (uint64_t)scene->object_count * whole_words(object_bytes);
+    needs->lights = (uint64_t)scene->object_count * scene->light_count * whole_words(light_bytes);
+    needs->triangle_count = (uint32_t)triangle_count; /* at most 65535^2 */
+    needs->bands = triangle_count < GLINT_NO_TRIANGLE ? whole_words((triangle_count + needs->band_count) * 2) : 0;
+    needs->vertices = vertex_count * sizeof(glint_screen_vertex);
+    needs->least = needs->objects + needs->lights + needs->buffers + needs->depth;
+    needs->full = needs->least + needs->bands + needs->vertices;
+}

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What a frame keeps in the caller's memory, and how many bytes of it.
+ *
+ *     objects   one state an object            always
+ *     lights    one state an object and light  always
+ *     buffers   one or two bands of pixels     always
+ *     depth     16 bits a pixel of a band      always
+ *     bands     2 bytes a band and a triangle  where there is room, and fewer than 65,535 triangles
+ *     vertices  12 bytes a vertex              for as many objects, in order, as there is room
+ *
+ * Each part begins on a multiple of 4 bytes.
+ */
+#ifndef GLINT_MEMORY_H
+#define GLINT_MEMORY_H
+
+#include <glint/display.h>
+#include <glint/scene.h>
+
+/* Bytes of each part, and sums. 64 bits wide, since the sum may not fit size_t on a small machine. */
+typedef struct glint_needs {
+    uint32_t buffer; /* one band of pixels */
+    uint32_t stride; /* bytes from row to row (page to page) */
+    uint16_t band_px, band_count;
+    uint64_t objects, lights, buffers, depth, bands, vertices;
+    uint32_t triangle_count;
+    uint64_t least; /* without bands and vertices */
+    uint64_t full;
+} glint_needs;
+
+/* Scene and display have passed glint_validate_sizes(). */
+void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glint_display *display,
+                        uint32_t object_bytes, uint32_t light_bytes);
+
+#endif

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: MIT */
+#include "number/fixed.h"
+
+#include "number/tables.h"
+
+uint32_t glint_reciprocal_q31(uint32_t x_q31)
+{
+    /* cell number from the 6 bits below the leading one; seed in Q31, relative error below 2^-7 */
+    uint32_t r = (uint32_t)flash_u16(&glint_reciprocal_seed_q15[(x_q31 >> 25) & 63]) << 16;
+    for (int step = 0; step < 2; step++) {
+        /* 1 - x r in Q30; |.| < 2^23 in the first step, so four times it fits */
+        const int32_t residual_q30 = ((int32_t)1 << 30) - (int32_t)multiply_high_u32(x_q31, r);
+        r += (uint32_t)multiply_high_s32((int32_t)r, residual_q30 * 4);
+    }
+    return r;
+}
+
+/*
+ * 1/sqrt(s / 2^30) in Q16, 2^30 <= s < 2^32: a number in (1/2, 1], 65535 standing for 1.
+ * Relative error at most 2^-15.7, of which 2^-16 is the rounding to Q16.
+ */
+static uint32_t inverse_root_q16(uint32_t s_q30)
+{
+    uint32_t y = flash_u16(&glint_root_seed_q16[(s_q30 >> 27) - 8]);
+    /* first Newton step, y (3 - x y^2) / 2, with 16-bit factors: relative error 2^-9.5 */
+    const uint32_t x_q14 = s_q30 >> 16;
+    const uint32_t xyy_q30 = ((y * y) >> 16) * x_q14;            /* 1 +- 0.06 */
+    y = (y * ((3 * ((uint32_t)1 << 30) - xyy_q30) >> 16)) >> 15; /* < 2^16 * 2^15.1 */
+    if (y > 65535) {
+        y = 65535;
+    }
+    /* second step in residual form, y + y (1 - x y^2) / 2: the residual keeps 30 bits, |residual| < 2^-8 */
+    const int32_t residual_q30 = ((int32_t)1 << 30) - (int32_t)multiply_high_u32(y * y, s_q30);
+    y += (uint32_t)(((int32_t)y * (residual_q30 >> 8) + ((int32_t)1 << 22)) >> 23);
+    return y > 65535 ? 65535 : y;
+}
+
+bool glint_unit_q15(const int32_t v[3], int32_t unit[3])
+{
+    const uint32_t x = magnitude32(v[0]), y = magnitude32(v[1]), z = magnitude32(v[2]);
+    const int shift = clz32(x | y | z);
+    if (shift == 32) {
+        return false;
+    }
+    /* the largest in [2^15, 2^16): rounding may carry to 2^16, which the clamp takes back */
+    uint32_t w[3] = {x << shift, y << shift, z << shift};
+    uint32_t sum = 0;
+    for (int k = 0; k < 3; k++) {
+        w[k] = w[k] >= 0xffff8000 ? 0xffff : (w[k] + 0x8000) >> 16;
+        sum += (w[k] * w[k]) >> 2; /* each < 2^30: the sum < 2^31.6, and >= 2^28 */
+    }
+    /* |w| = 2 sqrt(sum). With sum in [2^30, 2^32), w / |w| in Q15 is w y / 2^17; below, sum is multiplied by 4 and y
+     * comes out half as large. */
+    int down = 17;
+    if (sum < (uint32_t)1 << 30) {
+        sum <<= 2;
+        down = 16;
+    }
+    const uint32_t inverse_q16 = inverse_root_q16(sum);
+    for (int k = 0; k < 3; k++) {
+        const int32_t component = (int32_t)(((w[k] * inverse_q16 >> (down - 1)) + 1) >> 1);
+        unit[k] = v[k] < 0 ? -component : component;
+    }
+    return true;
+}
+
+/* table[index / 2^bits], linear between entries. */
+static uint32_t interpolate(const uint16_t *table, uint32_t index, int bits)
+{
+    const uint32_t cell = index >> bits;
+    const int32_t left = (int32_t)flash_u16(&table[cell]);
+    const int32_t right = (int32_t)flash_u16(&table[cell + 1]);
+    const int32_t fraction = (int32_t)(index & (((uint32_t)1 << bits) - 1));
+    return (uint32_t)(left + (((right - left) * fraction + ((int32_t)1 << (bits - 1))) >> bits));
+}
+
+uint16_t glint_power_q15(uint32_t gap_q31, uint16_t exponent_q4)
+{
+    const uint32_t one_q31 = (uint32_t)1 << 31;
+    if (exponent_q4 == 0 || gap_q31 == 0) {
+        return 32768;
+    }
+    if (gap_q31 >= one_q31) {
+        return 0;
+    }
+    const uint32_t x_q31 = one_q31 - gap_q31;
+    const int k = clz32(x_q31) - 1 > 0 ? clz32(x_q31) - 1 : 0; /* 2^k x in [1/2, 1]; k <= 30 */
+    const uint32_t y_q31 = k ? one_q31 - (x_q31 << k) : gap_q31;
+    if (y_q31 == (uint32_t)1 << 30) {
+        /* the last entry has no right neighbour: 2^k x = 1/2 exactly, t = k + 1 */
+        return (uint32_t)(k + 1) * exponent_q4 >= 16 * 17
+                   ? 0
+                   : (uint16_t)(interpolate(glint_exp_fraction_q15, ((uint32_t)(k + 1) * exponent_q4 & 15) << 10, 9) >>
+                                ((uint32_t)(k + 1) * exponent_q4 >> 4));
+    }
+    const uint32_t slope_q14 = interpolate(glint_log_slope_q14, y_q31 >> 15, 10); /* 32 cells over y < 1/2 */
+    /* y P(y) in Q29, below 1 but for rounding */
+    const uint32_t log_q29 = (y_q31 >> 16) * slope_q14 + (((y_q31 & 0xffff) * slope_q14) >> 16);
+    const uint32_t t_q26 = ((uint32_t)k << 26) + ((log_q29 + 4) >> 3); /* <= 31 2^26 < 2^31 */
+    /* a t in Q14: (exponent_q4 / 16) (t_q26 / 2^26) = exponent_q4 t_q26 / 2^30; times 2^14 is / 2^16 */
+    const uint32_t at_q14 = (t_q26 >> 16) * exponent_q4 + (((t_q26 & 0xffff) * exponent_q4) >> 16); /* < 2^31 */
+    const uint32_t whole = at_q14 >> 14;
+    if (whole > 16) {
+        return 0; /* below 2^-17: less than a quarter of an ulp */
+    }
+    return (uint16_t)(interpolate(glint_exp_fraction_q15, at_q14 & 0x3fff, 9) >> whole);
+}
+
+void glint_sine_cosine_q30(uint16_t angle_turn16, int32_t *sine_q30, int32_t *cosine_q30)
+{
+    static const int32_t one = (int32_t)1 << 30;
+    const unsigned quadrant = angle_turn16 >> 14;
+    const int32_t within = angle_turn16 & 0x3fff;
+    const bool folded = within > 0x2000; /* beyond an eighth of a turn: the series of the complement is shorter */
+    const int64_t part = folded ? 0x4000 - within : within;
+    /* radians in Q30: part / 2^14 quarter turns, pi/2 = 1686629713 / 2^30 */
+    const int64_t x = (part * 1686629713 + (1 << 13)) >> 14;
+    const int64_t xx = (x * x) >> 30;
+    /* Taylor: x <= pi/4, so the first terms left out are below x^13/13! < 2^-36 and x^14/14! < 2^-41 */
+    int64_t sine = one, cosine = one;
+    for (int n = 10; n >= 2; n -= 2) {
+        sine = one - ((xx * sine) >> 30) / (n * (n + 1));
+    }
+    for (int n = 12; n >= 2; n -= 2) {
+        cosine = one - ((xx * cosine) >> 30) / (n * (n - 1));
+    }
+    sine = (x * sine) >> 30;
+    const int32_t s = (int32_t)(folded ? cosine : sine), c = (int32_t)(folded ? sine : cosine);
+    *sine_q30 = quadrant == 0 ? s : quadrant == 1 ? c : quadrant == 2 ? -s : -c;
+    *cosine_q30 = quadrant == 0 ? c : quadrant == 1 ? -s : quadrant == 2 ? -c : s;
+}
+
+uint32_t glint_square_root_u64(uint64_t x)
+{
+    /* digit by digit, from the highest pair of bits */
+    uint64_t root = 0, rest = x;
+    for (uint64_t bit = (uint64_t)1 << 62; bit; bit >>= 2) {
+        if (rest >= root + bit) {
+            rest -= root + bit;
+            root = (root >> 1) + bit;
+        } else {
+            root >>= 1;
+        }
+    }
+    return (uint32_t)root;
+}
+
+bool glint_unit_q30(const int64_t v[3], int32_t unit_q30[3])
+{
+    uint64_t any = 0;
+    for (int k = 0; k < 3; k++) {
+        any |= magnitude64(v[k]);
+    }
+    if (any == 0) {
+        return false;
+    }
+    /* the largest component to 30 bits: squares below 2^60, their sum below 2^62 */
+    const int shift = 30 - bit_length64(any);
+    uint64_t sum = 0;
+    int64_t w[3];
+    for (int k = 0; k < 3; k++) {
+        w[k] = shift_round64(v[k], shift);
+        sum += (uint64_t)(w[k] * w[k]);
+    }
+    /* four times the square doubles the root, which then has 31 bits */
+    const glint_scaled inverse = glint_scaled_inverse(glint_scaled_from(glint_square_root_u64(sum << 2), 1));
+    for (int k = 0; k < 3; k++) {
+        unit_q30[k] = (int32_t)shift_round64(w[k] * inverse.m, 30 - inverse.f);
+    }
+    return true;
+}
+
+glint_scaled glint_scaled_from(uint64_t value, int fraction)
+{
+    const int up = 31 - bit_length64(value);
+    const glint_scaled scaled = {(int32_t)(up >= 0 ? value << up : value >> -up), (int16_t)(fraction + up)};
+    return scaled;
+}
+
+glint_scaled glint_scaled_inverse(glint_scaled x)
+{
+    /* x = 2m 2^-(f+1); 1/x = 2^62/(2m) 2^(f+1-62) */
+    return glint_scaled_from(glint_reciprocal_q31((uint32_t)x.m << 1), 61 - x.f);
+}

@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Integer operations that C leaves to the programmer: leading zeros, wide products, rounding shifts.
+ *
+ * Q-format: a name that ends in _qN holds a real number times 2^N.
+ *
+ * int is 16 bits on some targets: every operand here is widened before an operation that needs the width.
+ */
+#ifndef GLINT_NUMBER_INTEGER_H
+#define GLINT_NUMBER_INTEGER_H
+
+#include <limits.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+#include <glint/config.h>
+
+/* >> of a negative number is taken to be arithmetic, and int32_t to wrap when converted from uint32_t, as on every
+ * compiler for the targets of this library. C99 leaves both to the implementation, hence this check. */
+typedef char glint_assert_arithmetic_shift[(-3 >> 1) == -2 && (int32_t)0xfffffffdu == -3 ? 1 : -1];
+
+/*
+ * Does the processor multiply 32 x 32 -> 64 bits in an instruction or two? Without (ARMv6-M, AVR) the same product is
+ * put together from 16 x 16 bit ones, which is cheaper there than the compiler's 64 x 64 bit routine. The results are
+ * identical; tests/unit compares them. Define GLINT_WIDE_MULTIPLY as 0 or 1 to overrule.
+ */
+#ifndef GLINT_WIDE_MULTIPLY
+#if defined(__AVR__) || (defined(__ARM_ARCH_6M__) && __ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__)
+#define GLINT_WIDE_MULTIPLY 0
+#else
+#define GLINT_WIDE_MULTIPLY 1
+#endif
+#endif
+
+/* Number of leading zero bits; 32 for 0. */
+static inline int clz32(uint32_t value)
+{
+#if defined(__GNUC__) && ULONG_MAX == 0xffffffff && !(defined(__riscv) && !defined(__riscv_zbb))
+    return value ? __builtin_clzl(value) : 32;
+#elif defined(__GNUC__) && UINT_MAX == 0xffffffff && !defined(__riscv)
+    return value ? __builtin_clz(value) : 32;
+#else
+    int zeros = 0;
+    if (value == 0) {
+        return 32;
+    }
+    if (value < 0x10000) {
+        zeros = 16;
+        value <<= 16;
+    }
+    if (value < 0x1000000) {
+        zeros += 8;
+        value <<= 8;
+    }
+    if (value < 0x10000000) {
+        zeros += 4;
+        value <<= 4;
+    }
+    if (value < 0x40000000) {
+        zeros += 2;
+        value <<= 2;
+    }
+    return value < 0x80000000 ? zeros + 1 : zeros;
+#endif
+}
+
+/* |value| without overflow: INT32_MIN gives 2^31. */
+static inline uint32_t magnitude32(int32_t value)
+{
+    return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
+}
+
+static inline uint64_t magnitude64(int64_t value)
+{
+    return value < 0 ? 0u - (uint64_t)value : (uint64_t)value;
+}
+
+/* Number of bits of |value|: 0 for 0, 64 at most. */
+static inline int bit_length64(uint64_t value)
+{
+    const uint32_t high = (uint32_t)(value >> 32);
+    return high ? 64 - clz32(high) : 32 - clz32((uint32_t)value);
+}
+
+/* floor(a b / 2^32) from four 16 x 16 bit products. */
+static inline uint32_t multiply_high_narrow_u32(uint32_t a, uint32_t b)
+{
+    const uint32_t a_high = a >> 16, a_low = a & 0xffff;
+    const uint32_t b_high = b >> 16, b_low = b & 0xffff;
+    const uint32_t low = (a_low * b_low) >> 16;
+    const uint32_t middle = a_high * b_low + low; /* <= (2^16-1)^2 + 2^16-1 < 2^32 */
+    const uint32_t cross = a_low * b_high + (middle & 0xffff);
+    return a_high * b_high + (middle >> 16) + (cross >> 16);
+}
+
+/* floor(a b / 2^32). */
+static inline uint32_t multiply_high_u32(uint32_t a, uint32_t b)
+{
+#if GLINT_WIDE_MULTIPLY
+    return (uint32_t)(((uint64_t)a * b) >> 32);
+#else
+    return multiply_high_narrow_u32(a, b);
+#endif
+}
+
+/* floor(a b / 2^32), signed, from the unsigned product: a negative factor counts as itself plus 2^32. */
+static inline int32_t multiply_high_narrow_s32(int32_t a, int32_t b)
+{
+    uint32_t high = multiply_high_narrow_u32((uint32_t)a, (uint32_t)b);
+    if (a < 0) {
+        high -= (uint32_t)b;
+    }
+    if (b < 0) {
+        high -= (uint32_t)a;
+    }
+    return (int32_t)high;
+}
+
+static inline int32_t multiply_high_s32(int32_t a, int32_t b)
+{
+#if GLINT_WIDE_MULTIPLY
+    return (int32_t)(((int64_t)a * b) >> 32);
+#else
+    return multiply_high_narrow_s32(a, b);
+#endif
+}
+
+/* floor(a b / 2^16) for any a and a 16-bit b, two 32-bit products:
+ * |a >> 16| <= 2^15 and |b| <= 2^15, so the first is at most 2^30; the second at most 2^15 (2^16 - 1) < 2^31. */
+static inline int32_t multiply_q16(int32_t a, int32_t b_s16)
+{
+    return (a >> 16) * b_s16 + (((int32_t)(a & 0xffff) * b_s16) >> 16);
+}
+
+/* value 2^shift, rounded to nearest, halves up; 0 when every bit is shifted out. The caller sees to it that a left
+ * shift does not overflow. */
+static inline int64_t shift_round64(int64_t value, int shift)
+{
+    if (shift >= 0) {
+        return (int64_t)((uint64_t)value << shift);
+    }
+    if (shift < -62) {
+        return 0;
+    }
+    return (value + ((int64_t)1 << (-shift - 1))) >> -shift;
+}
+
+static inline int32_t saturate_s32(int64_t value)
+{
+    return value > INT32_MAX ? INT32_MAX : value < INT32_MIN ? INT32_MIN : (int32_t)value;
+}
+
+/* Reads constant data that may live in program memory. */
+#if defined(__AVR__)
+static inline uint8_t flash_u8(const uint8_t *address)
+{
+    return pgm_read_byte(address);
+}
+static inline uint16_t flash_u16(const uint16_t *address)
+{
+    return pgm_read_word(address);
+}
+static inline int16_t flash_s16(const int16_t *address)
+{
+    return (int16_t)pgm_read_word(address);
+}
+#else
+static inline uint8_t flash_u8(const uint8_t *address)
+{
+    return *address;
+}
+static inline uint16_t flash_u16(const uint16_t *address)
+{
+    return *address;
+}
+static inline int16_t flash_s16(const int16_t *address)
+{
+    return *address;
+}
+#endif
+
+#endif

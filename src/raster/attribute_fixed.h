@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Quantities interpolated over a triangle, in fixed point: planes of raster/plane.h.
+ *
+ * Normals are interpolated as N / w, whose direction is that of the perspective-correct normal. The weight near / w of
+ * a corner is brought to 30 bits by a shift common to the triangle, so that it keeps its precision however far away.
+ */
+#ifndef GLINT_RASTER_ATTRIBUTE_FIXED_H
+#define GLINT_RASTER_ATTRIBUTE_FIXED_H
+
+#include "lighting/light_fixed.h"
+#include "raster/plane.h"
+
+typedef glint_plane attribute_plane;
+
+typedef struct attribute_weights {
+    int32_t q30[2];
+} attribute_weights;
+
+/* The shift that brings the triangle's greatest inverse depth to 30 bits. */
+typedef int inverse_scale;
+
+static inline inverse_scale inverse_prepare(const glint_edges *edges)
+{
+    uint32_t any = 1;
+    for (int i = 0; i < 3; i++) {
+        any |= (uint32_t)(edges->corner[i].depth_q30 - GLINT_DEPTH_BIAS);
+    }
+    return clz32(any) - 2;
+}
+
+static inline int32_t inverse_of(int32_t depth_q30, inverse_scale shift)
+{
+    return (depth_q30 - GLINT_DEPTH_BIAS) << shift;
+}
+
+/* A point's inverse distance for light_towards(): a little below 0 by rounding does no harm. */
+static inline void surface_set_inverse(surface *at, int32_t depth_q30, inverse_scale shift)
+{
+    at->inverse = (int32_t)((uint32_t)(depth_q30 - GLINT_DEPTH_BIAS) << shift);
+    at->inverse_fraction = (int16_t)(30 + shift);
+}
+
+/* Component of a unit normal (Q15) times the corner's weight: within 2^29. */
+static inline real normal_weigh(real component_q15, int32_t depth_q30, inverse_scale shift)
+{
+    const int32_t weight_q30 = inverse_of(depth_q30, shift);
+    return multiply_q16(weight_q30 > 0 ? weight_q30 : 1, component_q15);
+}
+
+/* So little is left of an interpolated normal that rounding (2^14, see plane.h) decides its direction. */
+static inline bool normal_vanishes(const real normal[3])
+{
+    return (magnitude32(normal[0]) | magnitude32(normal[1]) | magnitude32(normal[2])) < (uint32_t)1 << 14;
+}
+
+/* A colour channel (Q15) as an attribute and back. Rounding may pass the corners' range by a unit, hence the clamp. */
+static inline real colour_to_attribute(uint16_t q15)
+{
+    return (real)q15 << 14;
+}
+
+static inline uint16_t attribute_to_colour(real attribute)
+{
+    const real q15 = (attribute + (1 << 13)) >> 14;
+    return (uint16_t)(q15 < 0 ? 0 : q15 > 32768 ? 32768 : q15);
+}
+
+static inline void attribute_plane_set_up(attribute_plane *plane, const glint_edges *edges, const real v[3])
+{
+    glint_plane_set_up(plane, edges, v[0], v[1], v[2]);
+}
+
+static inline void attribute_weights_from(attribute_weights *weights, const int32_t weight_q30[2])
+{
+    weights->q30[0] = weight_q30[0];
+    weights->q30[1] = weight_q30[1];
+}
+
+/* A constant plane: the value at one pixel of a sliver. */
+static inline void attribute_plane_hold(attribute_plane *plane, const attribute_weights *weights, const real v[3])
+{
+    plane->value = (uint32_t)glint_plane_weigh(weights->q30, v[0], v[1], v[2]);
+    plane->step_x = plane->step_y = 0;
+}
+
+static inline real attribute_at(const attribute_plane *plane, const glint_edges *edges, int16_t x, int16_t y)
+{
+    return glint_plane_at(plane, edges, x, y);
+}
+
+static inline real attribute_next(real value, const attribute_plane *plane)
+{
+    return (real)((uint32_t)value + plane->step_x);
+}
+
+/* Rays through pixel centres, see glint_frame. */
+typedef struct pixel_rays {
+    real v[3][3];
+    int16_t fraction;
+} pixel_rays;
+
+static inline void rays_prepare(pixel_rays *rays, const glint_frame *frame)
+{
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            rays->v[i][k] = frame->ray[i][k];
+        }
+    }
+    rays->fraction = frame->ray_fraction;
+}
+
+static inline void surface_set_ray(surface *at, const pixel_rays *rays, int16_t x, int16_t y)
+{
+    for (int k = 0; k < 3; k++) {
+        at->ray[k] = rays->v[0][k] + x * rays->v[1][k] + y * rays->v[2][k];
+    }
+    at->ray_fraction = rays->fraction;
+}
+
+static inline void surface_next_ray(surface *at, const pixel_rays *rays)
+{
+    for (int k = 0; k < 3; k++) {
+        at->ray[k] += rays->v[1][k];
+    }
+}
+
+/* Placement of corners in the lighting frame, see glint_placement. */
+typedef glint_placement placement_state;
+
+static inline void placement_prepare(placement_state *state, const glint_placement *placement)
+{
+    *state = *placement;
+}
+
+static inline void placement_of(const placement_state *state, const int16_t position[3], real out[3])
+{
+    for (int i = 0; i < 3; i++) {
+        out[i] = multiply_q16(state->rows[i][0], position[0]) + multiply_q16(state->rows[i][1], position[1]) +
+                 multiply_q16(state->rows[i][2], position[2]) + state->rows[i][3];
+    }
+}
+
+/* The point itself takes the place of the ray: its inverse distance is then 1. */
+static inline void surface_set_point(surface *at, const placement_state *state, const real point[3])
+{
+    for (int k = 0; k < 3; k++) {
+        at->ray[k] = point[k];
+    }
+    at->ray_fraction = state->fraction;
+    at->inverse = GLINT_DEPTH_SPAN;
+    at->inverse_fraction = 30;
+}
+
+/* Mean of three points, each below 2^30. */
+static inline real third_of(real a, real b, real c)
+{
+    return ((a >> 2) + (b >> 2) + (c >> 2)) / 3 * 4;
+}
+
+/* Stored normals: Q14 to the unit vectors' Q15; rows of the inverse transpose. */
+static inline real normal_component(int16_t q14)
+{
+    return (real)q14 * 2;
+}
+
+typedef int32_t normal_row[3];
+
+static inline void normal_rows_prepare(normal_row rows[3], const glint_frame *frame)
+{
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            rows[i][k] = frame->normal_rows[i][k];
+        }
+    }
+}
+
+static inline real normal_row_times(const normal_row row, const int16_t normal[3])
+{
+    return multiply_q16(row[0], normal[0]) + multiply_q16(row[1], normal[1]) + multiply_q16(row[2], normal[2]);
+}
+
+#endif

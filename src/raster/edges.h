@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Triangle set-up: exact edge functions on snapped vertices, and the gradients of the barycentric coordinates.
+ *
+ * Fill rule: a pixel belongs to a triangle when its centre lies inside, or on a left edge, or on a horizontal top edge.
+ *
+ * For an edge from i to j, with d = v_j - v_i in sub-pixels, E(p) = dx (p_y - v_iy) - dy (p_x - v_ix) is twice the area
+ * of (v_i, v_j, p), positive inside since triangles are set up clockwise as seen on the display (y down). E is a number
+ * of squared sub-pixels and needs 41 bits; but pixel centres are 256 sub-pixels apart, so with p = v_i + 256 (m, n) +
+ * f, f the offset to a pixel centre, E >= 0 holds just when E' = dx n - dy m + floor((dx f_y - dy f_x + bias) / 256) >=
+ * 0,     bias = 0 on left and top edges, -1 elsewhere, since the first two terms of E / 256 are whole. |E'| <= 2 area /
+ * 256 <= 256 L^2, L the side in px of the bounding box of triangle and sample points: below 2^31 for L < 2896. The
+ * guard band keeps L at or below 2 GLINT_GUARD_PX = 2880. The products wrap modulo 2^32 on the way, which the final
+ * range makes good.
+ */
+#ifndef GLINT_RASTER_EDGES_H
+#define GLINT_RASTER_EDGES_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "geometry/view.h"
+
+typedef char
+    glint_assert_edge_range[(uint64_t)(2 * GLINT_GUARD_PX) * (2 * GLINT_GUARD_PX) * GLINT_SUBPIXEL < 0x80000000u ? 1
+                                                                                                                 : -1];
+
+/* A vertex on the screen. */
+typedef struct glint_screen_vertex {
+    int32_t x, y;      /* sub-pixels */
+    int32_t depth_q30; /* see GLINT_DEPTH_BIAS */
+} glint_screen_vertex;
+
+/* The pixels of a rectangle: first..last, both included; empty when last < first. */
+typedef struct glint_box {
+    int16_t x_first, x_last, y_first, y_last;
+} glint_box;
+
+typedef struct glint_edges {
+    uint32_t value[3]; /* E' of the edge opposite corner i at pixel (box.x_first, box.y_first), modulo 2^32 */
+    int32_t step_x[3]; /* E' per pixel to the right (-dy) */
+    int32_t step_y[3]; /* E' per pixel down (dx) */
+    glint_box box;     /* pixels that the triangle may cover, within the display */
+    uint8_t order[3];  /* corner i of the set-up is corner order[i] of the caller: clockwise */
+
+    /* Barycentric coordinates of corners 1 and 2: change per pixel, in 2^-gradient_bits. */
+    int32_t gradient_x[2], gradient_y[2];
+    int8_t gradient_bits;
+    bool sliver;                   /* gradients above 16 per pixel: use glint_edges_weights() at each pixel instead */
+    int16_t anchor_x, anchor_y;    /* the pixel that holds corner 0 */
+    int16_t offset_x, offset_y;    /* from corner 0 to that pixel's centre, sub-pixels: -127..128 */
+    glint_screen_vertex corner[3]; /* clockwise */
+    int64_t area;                  /* twice the area in squared sub-pixels, > 0 */
+} glint_edges;
+
+/* Twice the signed area in squared sub-pixels: positive for corners clockwise on the display. Exact. */
+int64_t glint_signed_area(const glint_screen_vertex *a, const glint_screen_vertex *b, const glint_screen_vertex *c);
+
+/* Pixels whose centres lie in the corners' bounding box, within width x height. */
+glint_box glint_bounding_box(const glint_screen_vertex *a, const glint_screen_vertex *b, const glint_screen_vertex *c,
+                             uint16_t width_px, uint16_t height_px);
+
+/* Last row or column whose pixels' centres are at or before a coordinate: -1..size_px - 1. */
+int16_t glint_last_pixel(int32_t subpixels, uint16_t size_px);
+
+/*
+ * Sets up a triangle with area != 0 whose corners all lie within the guard band. `box` is from glint_bounding_box and
+ * not empty.
+ */
+void glint_edges_set_up(glint_edges *edges, const glint_screen_vertex corner[3], int64_t signed_area, glint_box box);
+
+/*
+ * Barycentric coordinates of corners 1 and 2 at the centre of a pixel that the triangle covers, Q30, each 0..2^30 and
+ * together at most 2^30 + 2. Exact to 2^-27; for slivers only (area < 2^28).
+ */
+void glint_edges_weights(const glint_edges *edges, int16_t x, int16_t y, int32_t weight_q30[2]);
+
+/* Runs over the covered pixels of a triangle, row by row. */
+typedef struct glint_spans {
+    const glint_edges *edges;
+    uint32_t left[2], right[2];          /* E' of the edges that bound on the left at x_left, on the right at x_right */
+    uint8_t left_edge[2], right_edge[2]; /* 3: none */
+    uint8_t flat_edge;                   /* the horizontal edge, or 3 */
+    uint32_t flat;
+    int16_t x_left, x_right, y, y_last;
+} glint_spans;
+
+/* Rows y_first..y_last of the triangle's box, no row outside of it. */
+void glint_spans_begin(glint_spans *spans, const glint_edges *edges, int16_t y_first, int16_t y_last);
+
+/* The next row with covered pixels: x_first..x_last of row y. False after the last. */
+bool glint_spans_next(glint_spans *spans, int16_t *y, int16_t *x_first, int16_t *x_last);
+
+#endif

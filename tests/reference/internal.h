@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What the reference's own files share: vectors in double, triangles in view space, surfaces and lights.
+ */
+#ifndef GLINT_TESTS_REFERENCE_INTERNAL_H
+#define GLINT_TESTS_REFERENCE_INTERNAL_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "reference.h"
+
+/* The depth buffer's greatest value: a surface on the near plane. */
+#define DEPTH_STEPS 65519.0
+
+/* Below this length a sum of unit normals has no direction that double precision could tell. */
+#define NORMAL_LEAST 1e-9
+
+/* Lights at whose terminator one surface point may stand, each with and without its specular term. */
+#define TERMINATOR_MAX 4
+
+typedef struct vector {
+    double x, y, z;
+} vector;
+
+static inline vector vector_of(double x, double y, double z) {
+    vector v = {x, y, z};
+    return v;
+}
+
+static inline vector plus(vector a, vector b) {
+    return vector_of(a.x + b.x, a.y + b.y, a.z + b.z);
+}
+
+static inline vector minus(vector a, vector b) {
+    return vector_of(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+static inline vector times(double s, vector v) {
+    return vector_of(s * v.x, s * v.y, s * v.z);
+}
+
+static inline double dot(vector a, vector b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/* cross(b, a) is exactly -cross(a, b), in double too: the edge functions of neighbours rely on it. */
+static inline vector cross(vector a, vector b) {
+    return vector_of(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+
+static inline double length(vector v) {
+    return sqrt(dot(v, v));
+}
+
+/* The zero vector stays zero. */
+static inline vector unit(vector v) {
+    double l = length(v);
+    return l > 0.0 ? times(1.0 / l, v) : v;
+}
+
+typedef struct surface {
+    double ambient[3]; /* r_a I_a */
+    double diffuse[3], specular[3];
+    double exponent;
+    bool blinn;
+} surface;
+
+typedef struct lamp {
+    bool is_point;
+    vector toward;   /* directional: s */
+    vector position; /* point */
+    double colour[3];
+} lamp;
+
+/* A point of a triangle on the screen. What is linear on the screen is carried along when polygons are cut. */
+typedef struct corner {
+    double x, y;      /* px */
+    double inverse_z; /* 1 / Z */
+    double share[3];  /* b_i / Z, b_i perspective-correct */
+    double linear[3]; /* weights of the corners' colours in Gouraud shading */
+} corner;
+
+/* Edge i of a triangle runs from corner i to corner i + 1. This number stands for the edge at the near plane. */
+#define NEAR_EDGE 3
+#define POLYGON_MAX 4
+
+typedef struct triangle {
+    int32_t object;
+    int16_t model[3][3]; /* positions in the mesh: triangles that share two of them are neighbours */
+    vector world[3];
+    vector normal[3]; /* unit, in world space; the face normal for a stored zero; zero only if that is zero too */
+    vector face;      /* unit, outwards, in world space; zero for a triangle without area */
+    vector edge[3];   /* P_j x P_k, opposite corner i, signed so that all are >= 0 inside */
+    vector plane;     /* Z = height / (plane . d) on the ray of direction d */
+    double height;
+    bool front;                 /* turns its outside to the eye */
+    bool thin;                  /* rounding the corners could turn it around */
+    bool sealed[NEAR_EDGE + 1]; /* a neighbour that can be drawn lies beyond the edge */
+    int corner_count;           /* of the polygon in front of the near plane; 0 or 3..POLYGON_MAX */
+    corner corners[POLYGON_MAX];
+    int label[POLYGON_MAX];      /* which edge runs from corners[k] to the next */
+    double line[POLYGON_MAX][3]; /* signed distance of that edge, positive inside: l[0] x + l[1] y + l[2] */
+    double corner_colour[3][3];  /* Gouraud, clamped */
+    double flat_colour[3];       /* flat */
+    bool has_terminator;         /* Gouraud, flat: a corner or the centroid stands on one */
+} triangle;
+
+/* A pixel's centre in or near a triangle. */
+typedef struct meeting {
+    int32_t triangle;
+    int32_t next; /* of the same pixel, -1: none */
+    uint8_t inside;
+    uint8_t near_edges; /* bit `label` for each edge within e */
+} meeting;
+
+/* What a meeting is worth when a pixel is settled. */
+typedef struct contender {
+    int32_t triangle;
+    bool inside;
+    uint8_t near_edges;
+    int group;
+    bool must; /* its group must cover the pixel */
+    bool candidate;
+    double depth_low, depth_high; /* 65519 near / Z: low is far */
+} contender;
+
+struct reference_detail {
+    int width, height, shading;
+    reference_options options;
+    vector eye, right, down, forward;
+    double focal; /* f in px */
+    double near_z;
+    double background[3];
+    int32_t triangle_count;
+    triangle *triangles;
+    int surface_count;
+    surface *surfaces; /* one an object */
+    int lamp_count;
+    lamp *lamps;
+    int32_t *first; /* meeting of each pixel, -1: none */
+    meeting *meetings;
+    int32_t meeting_count, meeting_room;
+    contender *contenders; /* room for the pixel with the most meetings */
+    int contender_room;
+};
+
+/* view.c */
+int view_load(reference_detail *d, const glint_scene *scene, char *error, size_t error_bytes);
+vector view_ray(const reference_detail *d, double x, double y);
+
+/* seal.c: finds the neighbours of every triangle. 0, or -1 without memory. */
+int seal_edges(reference_detail *d);
+
+/* meet.c */
+int meet_all(reference_detail *d);
+/* The triangle cut to the square of half width e around (x, y): at most MEET_REGION_MAX points in each part. */
+#define MEET_REGION_MAX (2 * (POLYGON_MAX + 4))
+int meet_region(const reference_detail *d, const triangle *t, double x, double y, corner region[MEET_REGION_MAX]);
+/* The point of the triangle's outline that is nearest to (x, y). */
+corner meet_nearest(const triangle *t, double x, double y);
+/* The point of the triangle's surface on the ray through (x, y), which is inside it. */
+corner meet_hit(const reference_detail *d, const triangle *t, double x, double y);
+
+/* contest.c: fills d->contenders for a pixel, in drawing order, and returns their number; *front is the index of the
+ * one that is seen (-1: the background), *mask its edge and depth bits, *background whether that may show. */
+int contest(reference_detail *d, int x, int y, int *front, uint8_t *mask, bool *background);
+
+/* shade.c */
+/* The lights at whose terminator (point, normal) stands. Returns their number, at most TERMINATOR_MAX. */
+int shade_terminators(const reference_detail *d, const surface *s, vector point, vector normal,
+                      int lights[TERMINATOR_MAX]);
+/* The model. Of the `count` lights listed, light k's specular term is there when bit k of `on` is set. */
+void shade_point(const reference_detail *d, const surface *s, vector point, vector normal, const int *lights, int count,
+                 unsigned on, double rgb[3]);
+void shade_triangle(const reference_detail *d, triangle *t);
+/* The colour of a triangle at a point of its screen polygon. variant: see shade_variants(); -1: the model's own. */
+void shade_corner(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
+                  double rgb[3]);
+/* In how many ways specular terms may be there or not: 1 where no terminator is near. */
+int shade_variants(const reference_detail *d, const triangle *t, const corner *anchor);
+
+#endif

@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Read this first: the reference from the scene to the picture, as calls.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "internal.h"
+
+static void free_detail(reference_detail *d) {
+    if (d) {
+        free(d->triangles);
+        free(d->surfaces);
+        free(d->lamps);
+        free(d->first);
+        free(d->meetings);
+        free(d->contenders);
+        free(d);
+    }
+}
+
+void reference_free(reference_image *image) {
+    free(image->rgb);
+    free(image->triangle);
+    free(image->depth);
+    free(image->mask);
+    free_detail(image->detail);
+    memset(image, 0, sizeof *image);
+}
+
+static double option(double given, double by_default) {
+    return given == 0.0 ? by_default : fmax(given, 0.0);
+}
+
+static corner seen_at(const reference_detail *d, const contender *c, double x, double y) {
+    const triangle *t = &d->triangles[c->triangle];
+    return c->inside && t->front ? meet_hit(d, t, x, y) : meet_nearest(t, x, y);
+}
+
+static void draw_pixel(reference_image *image, int x, int y) {
+    reference_detail *d = image->detail;
+    size_t at = (size_t)y * (size_t)image->width + (size_t)x;
+    int front;
+    bool background;
+    contest(d, x, y, &front, &image->mask[at], &background);
+    if (front < 0) {
+        image->triangle[at] = -1;
+        memcpy(&image->rgb[at * 3], d->background, sizeof d->background);
+        return;
+    }
+    const contender *c = &d->contenders[front];
+    const triangle *t = &d->triangles[c->triangle];
+    corner hit = seen_at(d, c, x + 0.5, y + 0.5);
+    image->triangle[at] = c->triangle;
+    image->depth[at] = 1.0 / hit.inverse_z;
+    shade_corner(d, t, &hit, &hit, -1, &image->rgb[at * 3]);
+    if (shade_variants(d, t, &hit) > 1) {
+        image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_TERMINATOR);
+    }
+}
+
+static int fail(reference_image *image, char *error, size_t error_bytes, const char *text) {
+    reference_free(image);
+    if (text && error_bytes > 0) {
+        snprintf(error, error_bytes, "%s", text);
+    }
+    return -1;
+}
+
+int reference_render_with(const glint_scene *scene, int width, int height, int shading,
+                          const reference_options *options, reference_image *out, char *error, size_t error_bytes) {
+    memset(out, 0, sizeof *out);
+    if (width < 1 || height < 1 || width > GLINT_MAX_SIZE_PX || height > GLINT_MAX_SIZE_PX) {
+        return fail(out, error, error_bytes, "a width and height from 1 to GLINT_MAX_SIZE_PX were expected");
+    }
+    if (shading != GLINT_SHADING_EXACT && shading != GLINT_SHADING_GOURAUD && shading != GLINT_SHADING_FLAT) {
+        return fail(out, error, error_bytes, "GLINT_SHADING_EXACT, _GOURAUD or _FLAT was expected");
+    }
+    size_t pixels = (size_t)width * (size_t)height;
+    out->width = width;
+    out->height = height;
+    out->rgb = calloc(pixels * 3, sizeof *out->rgb);
+    out->triangle = calloc(pixels, sizeof *out->triangle);
+    out->depth = calloc(pixels, sizeof *out->depth);
+    out->mask = calloc(pixels, sizeof *out->mask);
+    out->detail = calloc(1, sizeof *out->detail);
+    reference_detail *d = out->detail;
+    if (!out->rgb || !out->triangle || !out->depth || !out->mask || !d) {
+        return fail(out, error, error_bytes, "no memory for the picture");
+    }
+    d->width = width;
+    d->height = height;
+    d->shading = shading;
+    d->options.edge_px = option(options ? options->edge_px : 0.0, 1.0 / 256.0);
+    d->options.depth_steps = option(options ? options->depth_steps : 0.0, 2.0);
+    d->options.terminator = option(options ? options->terminator : 0.0, 1e-4);
+
+    if (view_load(d, scene, error, error_bytes)) {
+        return fail(out, error, error_bytes, NULL);
+    }
+    for (int32_t i = 0; i < d->triangle_count; i++) {
+        shade_triangle(d, &d->triangles[i]);
+    }
+    if (seal_edges(d) || meet_all(d)) {
+        return fail(out, error, error_bytes, "no memory for the surfaces of each pixel");
+    }
+    for (int y = 0; y < height; y++) {
+        for (int x = 0; x < width; x++) {
+            draw_pixel(out, x, y);
+        }
+    }
+    return 0;
+}
+
+int reference_render(const glint_scene *scene, int width, int height, int shading, reference_image *out, char *error,
+                     size_t error_bytes) {
+    return reference_render_with(scene, width, height, shading, NULL, out, error, error_bytes);
+}
+
+static void widen(reference_candidate *c, const double rgb[3]) {
+    for (int k = 0; k < 3; k++) {
+        c->low[k] = fmin(c->low[k], rgb[k]);
+        c->high[k] = fmax(c->high[k], rgb[k]);
+    }
+}
+
+/* All variants of one triangle at a pixel. */
+static int triangle_candidates(const reference_detail *d, const contender *c, int x, int y, reference_candidate *out,
+                               int count, int max) {
+    const triangle *t = &d->triangles[c->triangle];
+    corner region[MEET_REGION_MAX + 1], anchor = seen_at(d, c, x + 0.5, y + 0.5);
+    int points = meet_region(d, t, x + 0.5, y + 0.5, region), variants = shade_variants(d, t, &anchor);
+    region[points++] = anchor;
+    for (int v = 0; v < variants; v++, count++) {
+        reference_candidate one = {c->triangle, {HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+        for (int k = 0; k < points; k++) {
+            double rgb[3];
+            shade_corner(d, t, &region[k], &anchor, variants > 1 ? v : -1, rgb);
+            widen(&one, rgb);
+        }
+        if (count < max) {
+            out[count] = one;
+        }
+    }
+    return count;
+}
+
+int reference_candidates(const reference_image *image, int x, int y, reference_candidate *out, int max) {
+    reference_detail *d = image->detail;
+    int front, count = 0;
+    uint8_t mask;
+    bool background;
+    int contenders = contest(d, x, y, &front, &mask, &background);
+    if (front >= 0) {
+        count = triangle_candidates(d, &d->contenders[front], x, y, out, count, max);
+    }
+    if (background) {
+        reference_candidate one = {-1, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+        memcpy(one.low, d->background, sizeof one.low);
+        memcpy(one.high, d->background, sizeof one.high);
+        if (count < max) {
+            out[count] = one;
+        }
+        count++;
+    }
+    for (int k = 0; k < contenders; k++) {
+        if (k != front && d->contenders[k].candidate) {
+            count = triangle_candidates(d, &d->contenders[k], x, y, out, count, max);
+        }
+    }
+    return count;
+}

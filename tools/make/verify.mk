@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+#
+# What stands beside the tests: sanitizers, the second compiler, static analysis, format, generated files.
+
+VERIFY_STAGES := format-check generated-check cppcheck tidy cross firmware-example size consumer-check \
+	bit-identical test-clang test-asan
+
+.PHONY: verify
+verify: ## Tests under sanitizers and with clang, static analysis, target processors, sizes; installs what is missing
+	@tools/install-packages.sh test
+	@tools/install-packages.sh verify
+	@+failed=; for stage in $(VERIFY_STAGES); do \
+		echo "==== $$stage"; start=$$(date +%s); \
+		$(SUBMAKE) $$stage && result=passed || { result=FAILED; failed="$$failed $$stage"; }; \
+		echo "==== $$stage $$result after $$(($$(date +%s) - start)) s"; \
+	done; \
+	if [ -n "$$failed" ]; then echo "verify: failed:$$failed"; exit 1; fi; \
+	echo "verify: all $(words $(VERIFY_STAGES)) stages passed"
+
+# A sanitizer's report ends the program; float-to-integer overflow is undefined in C but not part of -fsanitize=undefined.
+SANITIZE := -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer
+
+.PHONY: test-asan
+test-asan: ## The tests under AddressSanitizer and UndefinedBehaviorSanitizer (gcc)
+	@+$(SUBMAKE) B=$(B)/asan CC=gcc CFLAGS="-O1 -g $(SANITIZE)" run-tests
+
+.PHONY: test-clang
+test-clang: ## The tests with clang
+	@+$(SUBMAKE) B=$(B)/clang CC=clang run-tests
+
+# Tables and meshes are data: generated, long, and checked against their generators instead.
+CHECKED_SOURCES := $(filter-out src/number/tables.c examples/meshes/%,$(ALL_SOURCES) $(TARGET_SOURCES))
+FORMATTED := $(sort $(CHECKED_SOURCES) \
+	$(foreach folder,include src tools tests examples,$(call rwildcard,$(folder),%.h %.inc)))
+
+.PHONY: format-check
+format-check: ## All C files are as .clang-format wants them
+	clang-format --dry-run -Werror $(FORMATTED)
+
+.PHONY: format
+format: ## Format all C files
+	clang-format -i $(FORMATTED)
+
+TIDY_TARGETS := $(patsubst %,tidy/%,$(filter-out tests/target/%,$(CHECKED_SOURCES)))
+
+# In tests: the analyzer does not know that a cmocka assertion which fails does not return, so it follows NULL past it
+# (the sanitizers see the real thing); and running a program through the shell is what a test of a tool does.
+TIDY_TESTS := -clang-analyzer-core.NullDereference,-clang-analyzer-core.NonNullParamChecker,-cert-env33-c
+
+.PHONY: tidy $(TIDY_TARGETS)
+tidy: $(TIDY_TARGETS) ## clang-tidy over library, tools, examples and tests
+$(TIDY_TARGETS): tidy/%: %
+	@echo "  TIDY  $<"
+	@clang-tidy --quiet $(if $(filter tests/%,$<),--checks=$(TIDY_TESTS)) $< -- $(HOST_FLAGS) 2>$(B)/$(subst /,-,$*).tidy \
+		|| { cat $(B)/$(subst /,-,$*).tidy; exit 1; }
+	@rm -f $(B)/$(subst /,-,$*).tidy
+$(TIDY_TARGETS): | $(B)/host-flags
+
+# missingIncludeSystem is about the system's headers; for want of them cppcheck mistakes the types of printf's
+# arguments, which -Wformat of both compilers checks with the true ones.
+.PHONY: cppcheck
+cppcheck: ## cppcheck over library, tools, examples and tests
+	@mkdir -p $(B)/cppcheck
+	cppcheck --quiet --std=c99 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 -j $(JOBS) \
+		--cppcheck-build-dir=$(B)/cppcheck --suppress=missingIncludeSystem --suppress=preprocessorErrorDirective \
+		--suppress=invalidPrintfArgType_sint --suppress=invalidPrintfArgType_uint \
+		-D__GNUC__ $(HOST_INCLUDES) $(filter-out tests/target/%,$(CHECKED_SOURCES))
+
+# Generated files are what their generators print today.
+.PHONY: generated-check
+generated-check: $(B)/generate-tables $(MESH_GENERATOR) ## Generated tables and meshes are what their generators make
+	@tools/check-generated.sh $(B) $(MESH_GENERATOR)
+
+.PHONY: generate
+generate: $(B)/generate-tables $(MESH_GENERATOR) ## Make the generated tables and meshes again, in place
+	$(B)/generate-tables > $(B)/tables.c && cp $(B)/tables.c src/number/tables.c
+	tools/mesh/regenerate.sh $(MESH_GENERATOR) examples/meshes
+
+.PHONY: consumer-check
+consumer-check: ## A C and a C++ program build against the installed library through pkg-config
+	@rm -rf $(B)/install
+	@+$(SUBMAKE) install PREFIX=$(abspath $(B)/install)
+	@tools/check-consumer.sh $(abspath $(B)/install) tests/target/startup/consumer.c

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# Size tables: tools/size-report.sh FOLDER PROCESSOR-BACKEND..., with FOLDER/PROCESSOR/size-BACKEND.elf and libglint.a.
+#
+# First the linked size programs (tests/target/startup/size_program.c), then the library's objects one by one, which
+# counts what a program that does not call it leaves out. Where docs/size-baseline.txt holds an earlier report, each
+# figure that changed is followed by the difference. The report itself is written to FOLDER/size.txt: copy it over the
+# baseline at a release.
+set -euo pipefail
+
+folder=$1
+shift
+baseline=docs/size-baseline.txt
+report=$folder/size.txt
+
+size_tool() {
+    case $1 in avr) echo avr-size ;; *) echo arm-none-eabi-size ;; esac
+}
+
+# Bytes of the sections that start with .NAME, one column for each of the four.
+sections() {
+    awk -v key="$1" '
+        /^\.(text|vectors)/ { text += $2 }
+        /^\.rodata|^\.ARM|^\.progmem/ { rodata += $2 }
+        /^\.data/ { data += $2 }
+        /^\.bss|^\.noinit/ { bss += $2 }
+        END { printf "%-40s %8d %8d %8d %8d %8d\n", key, text, rodata, data, bss, text + rodata + data }'
+}
+
+{
+    for program in "$@"; do
+        target=${program%%-*}
+        "$(size_tool "$target")" -A "$folder/$target/size-${program##*-}.elf" | sections "$program"
+    done
+    for target in $(printf '%s\n' "${@%%-*}" | sort -u); do
+        find "$folder/$target/obj/src" -name '*.o' | sort | while read -r object; do
+            name=${object#"$folder/$target/obj/src/"}
+            "$(size_tool "$target")" -A "$object" | sections "$target:${name%.o}"
+        done
+    done
+} >"$report"
+
+[ -f "$baseline" ] || baseline=/dev/null
+printf '%-40s %8s %8s %8s %8s %8s\n' "bytes" .text .rodata .data .bss flash
+awk '
+    NR == FNR && FILENAME != ARGV[2] { for (i = 2; i <= 6; i++) { old[$1, i] = $i } next }
+    {
+        change = ""
+        for (i = 2; i <= 6; i++) {
+            if (($1, i) in old && old[$1, i] != $i) {
+                change = change sprintf(" %s %+d", substr("text  rodatadata  bss   flash ", (i - 2) * 6 + 1, 6), $i - old[$1, i])
+            }
+        }
+        if (($1, 6) in old == 0 && length(old) > 0) { change = " new" }
+        seen[$1] = 1
+        print $0 change
+    }
+    END { for (key in old) { split(key, part, SUBSEP); if (part[2] == 6 && !(part[1] in seen)) { print part[1] " gone" } } }
+' "$baseline" "$report"
