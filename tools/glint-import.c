@@ -26,17 +26,20 @@ typedef struct options {
     char prefix[64];
 } options;
 
-static int wrong(const char *what, const char *which) {
+static int wrong(const char *what, const char *which)
+{
     fprintf(stderr, "glint-import: %s%s%s\n%s", what, *which ? ": " : "", which, usage);
     return 2;
 }
 
-static const char *base_name(const char *path) {
+static const char *base_name(const char *path)
+{
     const char *slash = strrchr(path, '/');
     return slash ? slash + 1 : path;
 }
 
-static bool identifier(const char *text) {
+static bool identifier(const char *text)
+{
     if (!isalpha((unsigned char)*text)) {
         return false;
     }
@@ -49,7 +52,8 @@ static bool identifier(const char *text) {
 }
 
 /* The file's name up to its ending, with '_' for what an identifier cannot have. */
-static void default_prefix(const char *path, char *prefix, size_t room) {
+static void default_prefix(const char *path, char *prefix, size_t room)
+{
     const char *name = base_name(path);
     const char *ending = strrchr(name, '.');
     size_t bytes = ending && ending != name ? (size_t)(ending - name) : strlen(name);
@@ -64,7 +68,8 @@ static void default_prefix(const char *path, char *prefix, size_t room) {
 }
 
 /* Returns 0, or the exit status. */
-static int parse(int count, char **arguments, options *given) {
+static int parse(int count, char **arguments, options *given)
+{
     const char *prefix = NULL;
     for (int i = 1; i < count; i++) {
         const char *argument = arguments[i];
@@ -112,7 +117,8 @@ static int parse(int count, char **arguments, options *given) {
 }
 
 /* The command for the first line: the same for every machine, so without the folders that the program stands in. */
-static char *command_text(int count, char **arguments) {
+static char *command_text(int count, char **arguments)
+{
     size_t bytes = sizeof "glint-import";
     for (int i = 1; i < count; i++) {
         bytes += strlen(arguments[i]) + 1;
@@ -128,7 +134,8 @@ static char *command_text(int count, char **arguments) {
     return text;
 }
 
-static char *temporary_name(const char *path) {
+static char *temporary_name(const char *path)
+{
     size_t bytes = strlen(path) + sizeof ".part";
     char *name = malloc(bytes);
     if (name) {
@@ -139,8 +146,8 @@ static char *temporary_name(const char *path) {
 
 /* Writes the source, or the header when `scene` is NULL, to a temporary file; returns its name, or NULL with a message.
  */
-static char *write_temporary(const options *given, const glint_scene *scene, const char *command) {
-    const char *path = scene ? given->output : given->header;
+static char *write_temporary(const options *given, const char *path, const glint_scene *scene, const char *command)
+{
     char *temporary = temporary_name(path);
     errno = 0;
     FILE *file = temporary ? fopen(temporary, "w") : NULL;
@@ -166,7 +173,8 @@ static char *write_temporary(const options *given, const glint_scene *scene, con
     return temporary;
 }
 
-static int put_in_place(const char *temporary, const char *path) {
+static int put_in_place(const char *temporary, const char *path)
+{
     if (rename(temporary, path) != 0) {
         fprintf(stderr, "glint-import: %s: cannot write: %s\n", path, strerror(errno));
         remove(temporary);
@@ -175,14 +183,15 @@ static int put_in_place(const char *temporary, const char *path) {
     return 0;
 }
 
-static int write_outputs(const options *given, const glint_scene *scene, const char *command) {
-    char *source = write_temporary(given, scene, command);
+static int write_outputs(const options *given, const glint_scene *scene, const char *command)
+{
+    char *source = write_temporary(given, given->output, scene, command);
     if (!source) {
         return 1;
     }
     int result = 0;
     if (given->header) {
-        char *header = write_temporary(given, NULL, command);
+        char *header = write_temporary(given, given->header, NULL, command);
         result = header ? put_in_place(header, given->header) : 1;
         free(header);
     }
@@ -195,7 +204,8 @@ static int write_outputs(const options *given, const glint_scene *scene, const c
     return result;
 }
 
-static void print_report(const options *given, const import_report *report) {
+static void print_report(const options *given, const import_report *report)
+{
     printf("%s: %u objects, %u meshes, %u materials, %u lights, %llu vertices, %llu triangles, %llu bytes of flash\n",
            given->output, report->objects, report->meshes, report->materials, report->lights,
            (unsigned long long)report->vertices, (unsigned long long)report->triangles,
@@ -207,7 +217,8 @@ static void print_report(const options *given, const import_report *report) {
            report->normal_rms_degrees);
 }
 
-int main(int count, char **arguments) {
+int main(int count, char **arguments)
+{
     if (count == 2 && strcmp(arguments[1], "--help") == 0) {
         fputs(usage, stdout);
         return 0;

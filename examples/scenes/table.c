@@ -3,7 +3,6 @@
  * The list of all built-in scenes. A program that uses this file links every scene; see scenes.h.
  */
 #include <stddef.h>
-#include <string.h>
 
 #include <examples/scenes/scenes.h>
 
@@ -31,9 +30,20 @@ const demo_scene demo_scenes[] = {
 
 const uint16_t demo_scene_count = sizeof demo_scenes / sizeof demo_scenes[0];
 
-const demo_scene *demo_scene_named(const char *name) {
+/* For firmware without a C library. */
+static int same(const char *a, const char *b)
+{
+    while (*a != '\0' && *a == *b) {
+        a++;
+        b++;
+    }
+    return *a == *b;
+}
+
+const demo_scene *demo_scene_named(const char *name)
+{
     for (uint16_t i = 0; name != NULL && i < demo_scene_count; i++) {
-        if (strcmp(name, demo_scenes[i].name) == 0) {
+        if (same(name, demo_scenes[i].name)) {
             return &demo_scenes[i];
         }
     }

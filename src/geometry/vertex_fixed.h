@@ -40,7 +40,7 @@ static inline bool vertex_is_near(const transform_state *state, const view_verte
     return v->z < state->near_z;
 }
 
-/* (coordinate / Z) in sub-pixels from the display's centre; false beyond the guard band. r is 2^62 / (Z 2^zeros). */
+/* (coordinate / Z) in 1/4096 px from the display's centre; false beyond the guard band. r is 2^62 / (Z 2^zeros). */
 static inline bool project_coordinate(int32_t coordinate, uint32_t r, int down, int32_t centre, int32_t *screen)
 {
     const int64_t product = (int64_t)coordinate * r; /* < 2^61 */
@@ -48,11 +48,11 @@ static inline bool project_coordinate(int32_t coordinate, uint32_t r, int down, 
         *screen = centre;
         return down > 62 || product == 0; /* infinitely small or large */
     }
-    const int64_t subpixels = (product + ((int64_t)1 << (down - 1))) >> down;
-    if (subpixels < -(int32_t)GLINT_GUARD_PX * GLINT_SUBPIXEL || subpixels > (int32_t)GLINT_GUARD_PX * GLINT_SUBPIXEL) {
+    const int64_t fine = (product + ((int64_t)1 << (down - 1))) >> down;
+    if (fine < -(int32_t)GLINT_GUARD_PX * GLINT_FINE || fine > (int32_t)GLINT_GUARD_PX * GLINT_FINE) {
         return false;
     }
-    *screen = centre + (int32_t)subpixels;
+    *screen = centre + (int32_t)fine;
     return true;
 }
 
@@ -63,10 +63,10 @@ static inline bool vertex_project(const transform_state *state, const view_verte
     const uint32_t z = v->z > 0 ? (uint32_t)v->z : 1;
     const int zeros = clz32(z);
     const uint32_t r = glint_reciprocal_q31(z << zeros);
-    /* 1/Z = r 2^(z_fraction + zeros - 62); with X 2^-xy_fraction and 2^8 sub-pixels in a px: */
-    const int down = 62 - GLINT_SUBPIXEL_BITS - zeros - state->z_fraction + state->xy_fraction;
-    if (!project_coordinate(v->x, r, down, (int32_t)view->width_px * (GLINT_SUBPIXEL / 2), &screen->x) ||
-        !project_coordinate(v->y, r, down, (int32_t)view->height_px * (GLINT_SUBPIXEL / 2), &screen->y)) {
+    /* 1/Z = r 2^(z_fraction + zeros - 62); with X 2^-xy_fraction and 2^12 steps in a px: */
+    const int down = 62 - GLINT_FINE_BITS - zeros - state->z_fraction + state->xy_fraction;
+    if (!project_coordinate(v->x, r, down, (int32_t)view->width_px * (GLINT_FINE / 2), &screen->x) ||
+        !project_coordinate(v->y, r, down, (int32_t)view->height_px * (GLINT_FINE / 2), &screen->y)) {
         return false;
     }
     const int depth_down = 62 - zeros - state->z_fraction + state->depth_near.f;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The vertex stage in float: model position to view, and view to screen. Ends on the same sub-pixel grid as the fixed
+ * The vertex stage in float: model position to view, and view to screen. Ends on the same grid as the fixed
  * one.
  */
 #ifndef GLINT_GEOMETRY_VERTEX_FLOAT_H
@@ -54,12 +54,12 @@ static inline bool vertex_is_near(const transform_state *state, const view_verte
 
 static inline bool project_coordinate(float coordinate, float inverse_z, int32_t centre, int32_t *screen)
 {
-    const float subpixels = coordinate * inverse_z * (float)GLINT_SUBPIXEL;
-    const float guard = (float)GLINT_GUARD_PX * (float)GLINT_SUBPIXEL;
-    if (!(subpixels >= -guard && subpixels <= guard)) {
+    const float fine = coordinate * inverse_z * (float)GLINT_FINE;
+    const float guard = (float)GLINT_GUARD_PX * (float)GLINT_FINE;
+    if (!(fine >= -guard && fine <= guard)) {
         return false;
     }
-    *screen = centre + float_floor(subpixels + 0.5f);
+    *screen = centre + float_floor(fine + 0.5f);
     return true;
 }
 
@@ -67,8 +67,8 @@ static inline bool vertex_project(const transform_state *state, const view_verte
                                   glint_screen_vertex *screen)
 {
     const float inverse_z = 1.0f / (v->z > state->near_z ? v->z : state->near_z);
-    if (!project_coordinate(v->x, inverse_z, (int32_t)view->width_px * (GLINT_SUBPIXEL / 2), &screen->x) ||
-        !project_coordinate(v->y, inverse_z, (int32_t)view->height_px * (GLINT_SUBPIXEL / 2), &screen->y)) {
+    if (!project_coordinate(v->x, inverse_z, (int32_t)view->width_px * (GLINT_FINE / 2), &screen->x) ||
+        !project_coordinate(v->y, inverse_z, (int32_t)view->height_px * (GLINT_FINE / 2), &screen->y)) {
         return false;
     }
     const float depth = state->depth_near * inverse_z;

@@ -17,21 +17,27 @@
 
 #include "number/fixed.h"
 
-/* Screen coordinates: 1/256 px, x right, y down, origin at the top left corner of the top left pixel. */
+/*
+ * Screen coordinates: x right, y down, origin at the top left corner of the top left pixel. A projected vertex has 12
+ * fractional bits. Coverage is decided on the vertex snapped to the 1/256 px grid; what is interpolated over the
+ * triangle is set up from the vertex itself, so that snapping does not shift the shading of thin triangles.
+ */
 #define GLINT_SUBPIXEL_BITS 8
-#define GLINT_SUBPIXEL (1 << GLINT_SUBPIXEL_BITS)
+#define GLINT_SUBPIXEL ((int32_t)1 << GLINT_SUBPIXEL_BITS)
+#define GLINT_FINE_BITS 12
+#define GLINT_FINE ((int32_t)1 << GLINT_FINE_BITS)
 
 /* The guard band: projected vertices farther than this from the display's centre are clipped away. */
 #define GLINT_GUARD_PX 1440
 
 /*
  * Inverse depth. 1/Z is kept as depth_q30 = GLINT_DEPTH_BIAS + GLINT_DEPTH_SPAN near / Z, of which the depth buffer
- * holds the upper 16 of 30 bits: 8..65527. The margins of 8 steps at both ends take what interpolation may overshoot,
- * so that no clamp is needed, and leave 0 for "nothing there".
+ * holds the upper 16 of 30 bits: 64..65472. The margins of 64 steps at both ends take what interpolation may overshoot
+ * (raster/gradients.h), so that no clamp is needed, and leave 0 for "nothing there".
  */
 #define GLINT_DEPTH_SHIFT 14
-#define GLINT_DEPTH_BIAS ((int32_t)8 << GLINT_DEPTH_SHIFT)
-#define GLINT_DEPTH_SPAN ((int32_t)65519 << GLINT_DEPTH_SHIFT)
+#define GLINT_DEPTH_BIAS ((int32_t)64 << GLINT_DEPTH_SHIFT)
+#define GLINT_DEPTH_SPAN ((int32_t)65408 << GLINT_DEPTH_SHIFT)
 
 typedef struct glint_view {
     int32_t basis_q30[3][3]; /* rows: right, down, forward in world coordinates */

@@ -160,9 +160,9 @@ static inline void light_place_position(light_place *place, const glint_frame *f
 {
     glint_light_position(frame, view, light, place->v, &place->fraction);
     for (int k = 0; k < 3; k++) {
-        /* a surface's inverse distance is in units of GLINT_DEPTH_SPAN, not 2^30: times 65536/65519 = 1 + 17/65519,
-         * which is 1114402 / 2^32 */
-        place->v[k] += multiply_high_s32(place->v[k], 1114402);
+        /* a surface's inverse distance is in units of GLINT_DEPTH_SPAN, not 2^30: times 1 + (2^30 - SPAN) / SPAN */
+        place->v[k] += multiply_high_s32(
+            place->v[k], (int32_t)(((uint64_t)(((int32_t)1 << 30) - GLINT_DEPTH_SPAN) << 32) / GLINT_DEPTH_SPAN));
     }
 }
 

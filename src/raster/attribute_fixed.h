@@ -20,11 +20,11 @@ typedef struct attribute_weights {
 /* The shift that brings the triangle's greatest inverse depth to 30 bits. */
 typedef int inverse_scale;
 
-static inline inverse_scale inverse_prepare(const glint_edges *edges)
+static inline inverse_scale inverse_prepare(const glint_gradients *gradients)
 {
     uint32_t any = 1;
     for (int i = 0; i < 3; i++) {
-        any |= (uint32_t)(edges->corner[i].depth_q30 - GLINT_DEPTH_BIAS);
+        any |= (uint32_t)(gradients->corner[i]->depth_q30 - GLINT_DEPTH_BIAS);
     }
     return clz32(any) - 2;
 }
@@ -66,9 +66,9 @@ static inline uint16_t attribute_to_colour(real attribute)
     return (uint16_t)(q15 < 0 ? 0 : q15 > 32768 ? 32768 : q15);
 }
 
-static inline void attribute_plane_set_up(attribute_plane *plane, const glint_edges *edges, const real v[3])
+static inline void attribute_plane_set_up(attribute_plane *plane, const glint_gradients *gradients, const real v[3])
 {
-    glint_plane_set_up(plane, edges, v[0], v[1], v[2]);
+    glint_plane_set_up(plane, gradients, v[0], v[1], v[2]);
 }
 
 static inline void attribute_weights_from(attribute_weights *weights, const int32_t weight_q30[2])
@@ -84,9 +84,9 @@ static inline void attribute_plane_hold(attribute_plane *plane, const attribute_
     plane->step_x = plane->step_y = 0;
 }
 
-static inline real attribute_at(const attribute_plane *plane, const glint_edges *edges, int16_t x, int16_t y)
+static inline real attribute_at(const attribute_plane *plane, const glint_gradients *gradients, int16_t x, int16_t y)
 {
-    return glint_plane_at(plane, edges, x, y);
+    return glint_plane_at(plane, gradients, x, y);
 }
 
 static inline real attribute_next(real value, const attribute_plane *plane)

@@ -19,9 +19,9 @@ typedef struct attribute_weights {
 
 typedef char inverse_scale; /* floats keep their precision by themselves */
 
-static inline inverse_scale inverse_prepare(const glint_edges *edges)
+static inline inverse_scale inverse_prepare(const glint_gradients *gradients)
 {
-    (void)edges;
+    (void)gradients;
     return 0;
 }
 
@@ -59,16 +59,14 @@ static inline uint16_t attribute_to_colour(real attribute)
     return attribute >= 32767.5f ? 32768 : attribute > 0.0f ? (uint16_t)(attribute + 0.5f) : 0;
 }
 
-static inline void attribute_plane_set_up(attribute_plane *plane, const glint_edges *edges, const real v[3])
+static inline void attribute_plane_set_up(attribute_plane *plane, const glint_gradients *gradients, const real v[3])
 {
     const float d1 = v[1] - v[0], d2 = v[2] - v[0];
-    const int bits = edges->gradient_bits;
-    plane->step_x =
-        float_from_scaled(edges->gradient_x[0], bits) * d1 + float_from_scaled(edges->gradient_x[1], bits) * d2;
-    plane->step_y =
-        float_from_scaled(edges->gradient_y[0], bits) * d1 + float_from_scaled(edges->gradient_y[1], bits) * d2;
-    plane->value = v[0] + (plane->step_x * (float)edges->offset_x + plane->step_y * (float)edges->offset_y) *
-                              (1.0f / (float)GLINT_SUBPIXEL);
+    const int bits = gradients->bits;
+    plane->step_x = float_from_scaled(gradients->x[0], bits) * d1 + float_from_scaled(gradients->x[1], bits) * d2;
+    plane->step_y = float_from_scaled(gradients->y[0], bits) * d1 + float_from_scaled(gradients->y[1], bits) * d2;
+    plane->value = v[0] + (plane->step_x * (float)gradients->offset_x + plane->step_y * (float)gradients->offset_y) *
+                              (1.0f / (float)GLINT_FINE);
 }
 
 static inline void attribute_weights_from(attribute_weights *weights, const int32_t weight_q30[2])
@@ -83,9 +81,10 @@ static inline void attribute_plane_hold(attribute_plane *plane, const attribute_
     plane->step_x = plane->step_y = 0.0f;
 }
 
-static inline real attribute_at(const attribute_plane *plane, const glint_edges *edges, int16_t x, int16_t y)
+static inline real attribute_at(const attribute_plane *plane, const glint_gradients *gradients, int16_t x, int16_t y)
 {
-    return plane->value + plane->step_x * (float)(x - edges->anchor_x) + plane->step_y * (float)(y - edges->anchor_y);
+    return plane->value + plane->step_x * (float)(x - gradients->anchor_x) +
+           plane->step_y * (float)(y - gradients->anchor_y);
 }
 
 static inline real attribute_next(real value, const attribute_plane *plane)

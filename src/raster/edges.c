@@ -3,9 +3,10 @@
 
 #define NO_EDGE 3
 
-int64_t glint_signed_area(const glint_screen_vertex *a, const glint_screen_vertex *b, const glint_screen_vertex *c)
+int64_t glint_signed_area(const glint_point corner[3])
 {
-    return (int64_t)(b->x - a->x) * (c->y - a->y) - (int64_t)(c->x - a->x) * (b->y - a->y);
+    return (int64_t)(corner[1].x - corner[0].x) * (corner[2].y - corner[0].y) -
+           (int64_t)(corner[2].x - corner[0].x) * (corner[1].y - corner[0].y);
 }
 
 static int32_t least(int32_t a, int32_t b, int32_t c)
@@ -37,9 +38,9 @@ int16_t glint_last_pixel(int32_t subpixels, uint16_t size_px)
     return clamp_pixel(((subpixels >> 1) - GLINT_SUBPIXEL / 4) >> (GLINT_SUBPIXEL_BITS - 1), -1, (int32_t)size_px - 1);
 }
 
-glint_box glint_bounding_box(const glint_screen_vertex *a, const glint_screen_vertex *b, const glint_screen_vertex *c,
-                             uint16_t width_px, uint16_t height_px)
+glint_box glint_bounding_box(const glint_point corner[3], uint16_t width_px, uint16_t height_px)
 {
+    const glint_point *a = &corner[0], *b = &corner[1], *c = &corner[2];
     /* beyond the display: first = size or last = -1, which makes the box empty */
     const glint_box box = {
         .x_first = clamp_pixel(first_pixel(least(a->x, b->x, c->x)), 0, width_px),
@@ -50,46 +51,15 @@ glint_box glint_bounding_box(const glint_screen_vertex *a, const glint_screen_ve
     return box;
 }
 
-/* Barycentric gradients: (-dy, dx) 256 / area of the edge opposite to the corner. */
-static void gradients_set_up(glint_edges *edges)
+void glint_edges_set_up(glint_edges *edges, const glint_point corner[3], bool clockwise, glint_box box)
 {
-    uint32_t any = 0;
-    for (int i = 1; i < 3; i++) {
-        any |= magnitude32(edges->step_x[i]) | magnitude32(edges->step_y[i]);
-    }
-    const int area_bits = bit_length64((uint64_t)edges->area);
-    /* |gradient| < 2^excess per pixel */
-    const int excess = 32 - clz32(any) + GLINT_SUBPIXEL_BITS - area_bits + 1;
-    const int bits = 30 - (excess > 0 ? excess : 0);
-    edges->sliver = bits < 26;
-    if (edges->sliver) {
-        return;
-    }
-    edges->gradient_bits = (int8_t)bits;
-    /* area = x 2^(area_bits-32) with x normalised; 1/area = r 2^(-30-area_bits) */
-    const uint32_t x = (uint32_t)(area_bits > 32 ? edges->area >> (area_bits - 32) : edges->area << (32 - area_bits));
-    const uint32_t r = glint_reciprocal_q31(x);
-    const int shift = bits + GLINT_SUBPIXEL_BITS - 30 - area_bits; /* < 0: area_bits >= bit length + 5, see excess */
-    for (int i = 0; i < 2; i++) {
-        edges->gradient_x[i] = (int32_t)shift_round64((int64_t)edges->step_x[i + 1] * r, shift);
-        edges->gradient_y[i] = (int32_t)shift_round64((int64_t)edges->step_y[i + 1] * r, shift);
-    }
-}
-
-void glint_edges_set_up(glint_edges *edges, const glint_screen_vertex corner[3], int64_t signed_area, glint_box box)
-{
-    const bool clockwise = signed_area > 0;
-    edges->area = clockwise ? signed_area : -signed_area;
     edges->box = box;
     edges->order[0] = 0;
     edges->order[1] = clockwise ? 1 : 2;
     edges->order[2] = clockwise ? 2 : 1;
     for (int i = 0; i < 3; i++) {
-        edges->corner[i] = corner[edges->order[i]];
-    }
-    for (int i = 0; i < 3; i++) {
         /* the edge opposite corner i, from j to k */
-        const glint_screen_vertex *from = &edges->corner[(i + 1) % 3], *to = &edges->corner[(i + 2) % 3];
+        const glint_point *from = &corner[edges->order[(i + 1) % 3]], *to = &corner[edges->order[(i + 2) % 3]];
         const int32_t dx = to->x - from->x, dy = to->y - from->y; /* < 2^20 */
         const bool left_or_top = dy < 0 || (dy == 0 && dx > 0);
         const int32_t pixel_x = from->x >> GLINT_SUBPIXEL_BITS, pixel_y = from->y >> GLINT_SUBPIXEL_BITS;
@@ -101,31 +71,6 @@ void glint_edges_set_up(glint_edges *edges, const glint_screen_vertex corner[3],
         edges->step_y[i] = dx;
         edges->value[i] = (uint32_t)dx * (uint32_t)(box.y_first - pixel_y) -
                           (uint32_t)dy * (uint32_t)(box.x_first - pixel_x) + (uint32_t)part;
-    }
-    edges->anchor_x = (int16_t)(edges->corner[0].x >> GLINT_SUBPIXEL_BITS);
-    edges->anchor_y = (int16_t)(edges->corner[0].y >> GLINT_SUBPIXEL_BITS);
-    edges->offset_x = (int16_t)(GLINT_SUBPIXEL / 2 - (edges->corner[0].x & (GLINT_SUBPIXEL - 1)));
-    edges->offset_y = (int16_t)(GLINT_SUBPIXEL / 2 - (edges->corner[0].y & (GLINT_SUBPIXEL - 1)));
-    gradients_set_up(edges);
-}
-
-void glint_edges_weights(const glint_edges *edges, int16_t x, int16_t y, int32_t weight_q30[2])
-{
-    const int32_t centre_x = (int32_t)x * GLINT_SUBPIXEL + GLINT_SUBPIXEL / 2;
-    const int32_t centre_y = (int32_t)y * GLINT_SUBPIXEL + GLINT_SUBPIXEL / 2;
-    const int area_bits = bit_length64((uint64_t)edges->area); /* <= 28 for a sliver: area < 2^(8+20+1-4+..) */
-    const uint32_t r = glint_reciprocal_q31((uint32_t)edges->area << (32 - area_bits));
-    int64_t rest = (int64_t)1 << 30;
-    for (int i = 0; i < 2; i++) {
-        const glint_screen_vertex *from = &edges->corner[(i + 2) % 3];
-        /* E itself, 0..area inside */
-        const int64_t inside =
-            (int64_t)edges->step_y[i + 1] * (centre_y - from->y) + (int64_t)edges->step_x[i + 1] * (centre_x - from->x);
-        int64_t weight =
-            (int64_t)(((uint64_t)inside * r) >> area_bits); /* inside 2^30 / area; r / 2^(30+bits) = 1/area */
-        weight = weight > rest ? rest : weight;
-        rest -= weight;
-        weight_q30[i] = (int32_t)weight;
     }
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Triangle set-up: exact edge functions on snapped vertices, and the gradients of the barycentric coordinates.
+ * Coverage: exact edge functions on snapped vertices, and the spans of pixels that they enclose.
  *
  * Fill rule: a pixel belongs to a triangle when its centre lies inside, or on a left edge, or on a horizontal top edge.
  *
@@ -25,11 +25,23 @@ typedef char
     glint_assert_edge_range[(uint64_t)(2 * GLINT_GUARD_PX) * (2 * GLINT_GUARD_PX) * GLINT_SUBPIXEL < 0x80000000u ? 1
                                                                                                                  : -1];
 
-/* A vertex on the screen. */
+/* A projected vertex. */
 typedef struct glint_screen_vertex {
-    int32_t x, y;      /* sub-pixels */
+    int32_t x, y;      /* 1/4096 px */
     int32_t depth_q30; /* see GLINT_DEPTH_BIAS */
 } glint_screen_vertex;
+
+/* A vertex snapped to the sub-pixel grid. */
+typedef struct glint_point {
+    int32_t x, y; /* 1/256 px */
+} glint_point;
+
+static inline glint_point glint_snap(const glint_screen_vertex *vertex)
+{
+    const int down = GLINT_FINE_BITS - GLINT_SUBPIXEL_BITS;
+    const glint_point point = {(vertex->x + (1 << (down - 1))) >> down, (vertex->y + (1 << (down - 1))) >> down};
+    return point;
+}
 
 /* The pixels of a rectangle: first..last, both included; empty when last < first. */
 typedef struct glint_box {
@@ -42,38 +54,22 @@ typedef struct glint_edges {
     int32_t step_y[3]; /* E' per pixel down (dx) */
     glint_box box;     /* pixels that the triangle may cover, within the display */
     uint8_t order[3];  /* corner i of the set-up is corner order[i] of the caller: clockwise */
-
-    /* Barycentric coordinates of corners 1 and 2: change per pixel, in 2^-gradient_bits. */
-    int32_t gradient_x[2], gradient_y[2];
-    int8_t gradient_bits;
-    bool sliver;                   /* gradients above 16 per pixel: use glint_edges_weights() at each pixel instead */
-    int16_t anchor_x, anchor_y;    /* the pixel that holds corner 0 */
-    int16_t offset_x, offset_y;    /* from corner 0 to that pixel's centre, sub-pixels: -127..128 */
-    glint_screen_vertex corner[3]; /* clockwise */
-    int64_t area;                  /* twice the area in squared sub-pixels, > 0 */
 } glint_edges;
 
 /* Twice the signed area in squared sub-pixels: positive for corners clockwise on the display. Exact. */
-int64_t glint_signed_area(const glint_screen_vertex *a, const glint_screen_vertex *b, const glint_screen_vertex *c);
+int64_t glint_signed_area(const glint_point corner[3]);
 
 /* Pixels whose centres lie in the corners' bounding box, within width x height. */
-glint_box glint_bounding_box(const glint_screen_vertex *a, const glint_screen_vertex *b, const glint_screen_vertex *c,
-                             uint16_t width_px, uint16_t height_px);
+glint_box glint_bounding_box(const glint_point corner[3], uint16_t width_px, uint16_t height_px);
 
 /* Last row or column whose pixels' centres are at or before a coordinate: -1..size_px - 1. */
 int16_t glint_last_pixel(int32_t subpixels, uint16_t size_px);
 
 /*
- * Sets up a triangle with area != 0 whose corners all lie within the guard band. `box` is from glint_bounding_box and
- * not empty.
+ * Sets up a triangle whose corners all lie within the guard band; clockwise tells the sign of its area, which is not 0.
+ * `box` is from glint_bounding_box and not empty.
  */
-void glint_edges_set_up(glint_edges *edges, const glint_screen_vertex corner[3], int64_t signed_area, glint_box box);
-
-/*
- * Barycentric coordinates of corners 1 and 2 at the centre of a pixel that the triangle covers, Q30, each 0..2^30 and
- * together at most 2^30 + 2. Exact to 2^-27; for slivers only (area < 2^28).
- */
-void glint_edges_weights(const glint_edges *edges, int16_t x, int16_t y, int32_t weight_q30[2]);
+void glint_edges_set_up(glint_edges *edges, const glint_point corner[3], bool clockwise, glint_box box);
 
 /* Runs over the covered pixels of a triangle, row by row. */
 typedef struct glint_spans {

@@ -5,31 +5,31 @@
  * Scaling and overflow: corner values lie within +-2^29 (depth: 0..2^30). A step may be large for a thin triangle, and
  * products of steps and distances may pass 2^32, but arithmetic is modulo 2^32 and the value at any pixel inside lies
  * within the corners' range, so the result is right. Rounding: a gradient of the barycentric coordinates errs by half
- * of 2^-gradient_bits and a relative 2^-27.9, a step by one unit more; at n pixels (in x plus y) from the anchor the
+ * of their last bit and a relative 2^-27.9, a step by one unit more; at n pixels (in x plus y) from the anchor the
  * value errs by at most 4 n + 2 units, 2^14 at n = 4095: 2^-15 of the range at the farthest corner of the largest
  * display. Since a value depends on the pixel alone, not on the path to it, bands and spans may start anywhere.
  */
 #ifndef GLINT_RASTER_PLANE_H
 #define GLINT_RASTER_PLANE_H
 
-#include "raster/edges.h"
+#include "raster/gradients.h"
 
 typedef struct glint_plane {
-    uint32_t value;  /* at the anchor pixel of the edges, modulo 2^32 */
+    uint32_t value;  /* at the anchor pixel of the gradients, modulo 2^32 */
     uint32_t step_x; /* to the right, modulo 2^32 */
     uint32_t step_y; /* down */
 } glint_plane;
 
-/* The plane through three corner values, |v| <= 2^30; corners in the order of `edges`. Not for slivers. */
-void glint_plane_set_up(glint_plane *plane, const glint_edges *edges, int32_t v0, int32_t v1, int32_t v2);
+/* The plane through three corner values, |v| <= 2^30; corners in the order of `gradients`. Not for slivers. */
+void glint_plane_set_up(glint_plane *plane, const glint_gradients *gradients, int32_t v0, int32_t v1, int32_t v2);
 
-/* For slivers: the value at one pixel, of weights from glint_edges_weights(), held constant. */
+/* For slivers: the value at one pixel, of weights from glint_gradients_weights(), held constant. */
 int32_t glint_plane_weigh(const int32_t weight_q30[2], int32_t v0, int32_t v1, int32_t v2);
 
-static inline int32_t glint_plane_at(const glint_plane *plane, const glint_edges *edges, int16_t x, int16_t y)
+static inline int32_t glint_plane_at(const glint_plane *plane, const glint_gradients *gradients, int16_t x, int16_t y)
 {
-    return (int32_t)(plane->value + plane->step_x * (uint32_t)((int32_t)x - edges->anchor_x) +
-                     plane->step_y * (uint32_t)((int32_t)y - edges->anchor_y));
+    return (int32_t)(plane->value + plane->step_x * (uint32_t)((int32_t)x - gradients->anchor_x) +
+                     plane->step_y * (uint32_t)((int32_t)y - gradients->anchor_y));
 }
 
 #endif

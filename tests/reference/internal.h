@@ -25,38 +25,46 @@ typedef struct vector {
     double x, y, z;
 } vector;
 
-static inline vector vector_of(double x, double y, double z) {
+static inline vector vector_of(double x, double y, double z)
+{
     vector v = {x, y, z};
     return v;
 }
 
-static inline vector plus(vector a, vector b) {
+static inline vector plus(vector a, vector b)
+{
     return vector_of(a.x + b.x, a.y + b.y, a.z + b.z);
 }
 
-static inline vector minus(vector a, vector b) {
+static inline vector minus(vector a, vector b)
+{
     return vector_of(a.x - b.x, a.y - b.y, a.z - b.z);
 }
 
-static inline vector times(double s, vector v) {
+static inline vector times(double s, vector v)
+{
     return vector_of(s * v.x, s * v.y, s * v.z);
 }
 
-static inline double dot(vector a, vector b) {
+static inline double dot(vector a, vector b)
+{
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 /* cross(b, a) is exactly -cross(a, b), in double too: the edge functions of neighbours rely on it. */
-static inline vector cross(vector a, vector b) {
+static inline vector cross(vector a, vector b)
+{
     return vector_of(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
-static inline double length(vector v) {
+static inline double length(vector v)
+{
     return sqrt(dot(v, v));
 }
 
 /* The zero vector stays zero. */
-static inline vector unit(vector v) {
+static inline vector unit(vector v)
+{
     double l = length(v);
     return l > 0.0 ? times(1.0 / l, v) : v;
 }
@@ -170,10 +178,10 @@ int contest(reference_detail *d, int x, int y, int *front, uint8_t *mask, bool *
 
 /* shade.c */
 /* The lights at whose terminator (point, normal) stands. Returns their number, at most TERMINATOR_MAX. */
-int shade_terminators(const reference_detail *d, const surface *s, vector point, vector normal,
+int shade_terminators(const reference_detail *d, const surface *f, vector point, vector normal,
                       int lights[TERMINATOR_MAX]);
 /* The model. Of the `count` lights listed, light k's specular term is there when bit k of `on` is set. */
-void shade_point(const reference_detail *d, const surface *s, vector point, vector normal, const int *lights, int count,
+void shade_point(const reference_detail *d, const surface *f, vector point, vector normal, const int *lights, int count,
                  unsigned on, double rgb[3]);
 void shade_triangle(const reference_detail *d, triangle *t);
 /* The colour of a triangle at a point of its screen polygon. variant: see shade_variants(); -1: the model's own. */

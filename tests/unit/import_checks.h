@@ -25,13 +25,15 @@
 
 static char folder[512];
 
-static inline const char *setting(const char *name, const char *missing) {
+static inline const char *setting(const char *name, const char *missing)
+{
     const char *value = getenv(name);
     return value && *value ? value : missing;
 }
 
 /* A path in the test's folder; four may be in use at once. */
-static inline const char *scratch(const char *name) {
+static inline const char *scratch(const char *name)
+{
     static char paths[4][1024];
     static unsigned turn;
     char *path = paths[turn++ % 4];
@@ -39,7 +41,8 @@ static inline const char *scratch(const char *name) {
     return path;
 }
 
-static inline int make_folder(void **state) {
+static inline int make_folder(void **state)
+{
     (void)state;
     snprintf(folder, sizeof folder, "%s/test-import", setting("GLINT_BUILD", "build"));
     mkdir(setting("GLINT_BUILD", "build"), 0777);
@@ -48,7 +51,8 @@ static inline int make_folder(void **state) {
     return stat(folder, &status) == 0 && S_ISDIR(status.st_mode) ? 0 : -1;
 }
 
-static inline imported_scene *import_or_fail(const char *path) {
+static inline imported_scene *import_or_fail(const char *path)
+{
     imported_scene *scene;
     char error[1024];
     if (import_scene(path, &scene, error, sizeof error)) {
@@ -57,7 +61,8 @@ static inline imported_scene *import_or_fail(const char *path) {
     return scene;
 }
 
-static inline void world_point(const glint_object *object, unsigned vertex, double result[3]) {
+static inline void world_point(const glint_object *object, unsigned vertex, double result[3])
+{
     for (int i = 0; i < 3; i++) {
         result[i] = object->place.origin_q16[i] / 65536.0;
         for (int k = 0; k < 3; k++) {
@@ -69,7 +74,8 @@ static inline void world_point(const glint_object *object, unsigned vertex, doub
 
 /* What holds for every import: valid indices, normals of unit length, formats in range, the view in front of the near
  * plane when the camera was placed by the importer. */
-static inline void assert_sound(const glint_scene *scene) {
+static inline void assert_sound(const glint_scene *scene)
+{
     assert_true(scene->object_count > 0);
     for (unsigned o = 0; o < scene->object_count; o++) {
         const glint_mesh *mesh = scene->objects[o].mesh;
@@ -96,7 +102,8 @@ static inline void assert_sound(const glint_scene *scene) {
 }
 
 /* Every vertex is in front of the near plane, and within a square picture. */
-static inline void assert_framed(const glint_scene *scene) {
+static inline void assert_framed(const glint_scene *scene)
+{
     double forward[3], length = 0;
     for (int k = 0; k < 3; k++) {
         forward[k] = (scene->camera->target_q16[k] - (double)scene->camera->eye_q16[k]) / 65536;
@@ -119,7 +126,8 @@ static inline void assert_framed(const glint_scene *scene) {
 }
 
 /* All but pointers, by value. */
-static inline void assert_same_scene(const glint_scene *a, const glint_scene *b) {
+static inline void assert_same_scene(const glint_scene *a, const glint_scene *b)
+{
     assert_int_equal(a->object_count, b->object_count);
     assert_int_equal(a->light_count, b->light_count);
     assert_memory_equal(&a->ambient, &b->ambient, sizeof a->ambient);
@@ -153,7 +161,8 @@ static inline void assert_same_scene(const glint_scene *a, const glint_scene *b)
     }
 }
 
-static inline FILE *create(const char *path) {
+static inline FILE *create(const char *path)
+{
     FILE *file = fopen(path, "w");
     assert_non_null(file);
     return file;

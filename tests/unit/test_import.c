@@ -7,7 +7,8 @@
 
 #ifndef GLINT_HAVE_ASSIMP
 
-static void test_without_assimp(void **state) {
+static void test_without_assimp(void **state)
+{
     (void)state;
     imported_scene *scene = (imported_scene *)(void *)folder;
     char error[512];
@@ -17,14 +18,16 @@ static void test_without_assimp(void **state) {
     assert_non_null(strstr(error, "built-in scenes"));
 }
 
-int main(void) {
+int main(void)
+{
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_without_assimp)};
     return cmocka_run_group_tests(tests, make_folder, NULL);
 }
 
 #else
 
-static bool warned(const imported_scene *scene, const char *text) {
+static bool warned(const imported_scene *scene, const char *text)
+{
     for (size_t i = 0; i < imported_scene_warning_count(scene); i++) {
         if (strstr(imported_scene_warning(scene, i), text)) {
             return true;
@@ -33,13 +36,15 @@ static bool warned(const imported_scene *scene, const char *text) {
     return false;
 }
 
-static void assert_colour(const glint_colour *colour, int r, int g, int b) {
+static void assert_colour(const glint_colour *colour, int r, int g, int b)
+{
     assert_int_equal(colour->r_q14, r);
     assert_int_equal(colour->g_q14, g);
     assert_int_equal(colour->b_q14, b);
 }
 
-static void assert_material(const glint_material *material, const int codes[9], int exponent_q4, int model) {
+static void assert_material(const glint_material *material, const int codes[9], int exponent_q4, int model)
+{
     assert_colour(&material->ambient, codes[0], codes[1], codes[2]);
     assert_colour(&material->diffuse, codes[3], codes[4], codes[5]);
     assert_colour(&material->specular, codes[6], codes[7], codes[8]);
@@ -47,19 +52,22 @@ static void assert_material(const glint_material *material, const int codes[9], 
     assert_int_equal(material->specular_model, model);
 }
 
-static void assert_int32s(const int32_t value[3], int32_t x, int32_t y, int32_t z) {
+static void assert_int32s(const int32_t value[3], int32_t x, int32_t y, int32_t z)
+{
     assert_int_equal(value[0], x);
     assert_int_equal(value[1], y);
     assert_int_equal(value[2], z);
 }
 
-static void assert_direction(const int16_t value[3], int x, int y, int z) {
+static void assert_direction(const int16_t value[3], int x, int y, int z)
+{
     assert_int_equal(value[0], x);
     assert_int_equal(value[1], y);
     assert_int_equal(value[2], z);
 }
 
-static void test_obj(void **state) {
+static void test_obj(void **state)
+{
     (void)state;
     imported_scene *imported = import_or_fail(MODELS "cube.obj");
     const glint_scene *scene = imported_scene_view(imported);
@@ -109,7 +117,8 @@ static void test_obj(void **state) {
     imported_scene_free(imported);
 }
 
-static void test_made_normals(void **state) {
+static void test_made_normals(void **state)
+{
     (void)state;
     imported_scene *imported = import_or_fail(MODELS "no-normals.obj");
     const glint_scene *scene = imported_scene_view(imported);
@@ -138,7 +147,8 @@ static void test_made_normals(void **state) {
     imported_scene_free(imported);
 }
 
-static void test_gltf(void **state) {
+static void test_gltf(void **state)
+{
     (void)state;
     imported_scene *imported = import_or_fail(MODELS "corner.gltf");
     const glint_scene *scene = imported_scene_view(imported);
@@ -184,7 +194,8 @@ static void test_gltf(void **state) {
     imported_scene_free(imported);
 }
 
-static void test_collada(void **state) {
+static void test_collada(void **state)
+{
     (void)state;
     imported_scene *imported = import_or_fail(MODELS "tile.dae");
     const glint_scene *scene = imported_scene_view(imported);
@@ -235,7 +246,8 @@ static void test_collada(void **state) {
     imported_scene_free(imported);
 }
 
-static void test_gltf_containers(void **state) {
+static void test_gltf_containers(void **state)
+{
     (void)state;
     static const char *const others[] = {MODELS "corner-external.gltf", MODELS "corner.glb"};
     imported_scene *embedded = import_or_fail(MODELS "corner.gltf");
@@ -247,7 +259,8 @@ static void test_gltf_containers(void **state) {
     imported_scene_free(embedded);
 }
 
-static void test_broken_files(void **state) {
+static void test_broken_files(void **state)
+{
     (void)state;
     static const struct {
         const char *path, *message;
@@ -291,7 +304,8 @@ static void test_broken_files(void **state) {
 }
 
 /* Every prefix of a good file: an error or a scene, never a crash. */
-static void test_cut_files(void **state) {
+static void test_cut_files(void **state)
+{
     (void)state;
     static const char *const names[] = {"cube.obj", "corner.gltf", "corner.glb", "tile.dae"};
     for (int i = 0; i < 4; i++) {
@@ -326,7 +340,8 @@ static void test_cut_files(void **state) {
     }
 }
 
-static void test_warnings(void **state) {
+static void test_warnings(void **state)
+{
     (void)state;
     imported_scene *imported = import_or_fail(MODELS "missing-mtl.obj");
     assert_true(warned(imported, "not-there.mtl"));
@@ -344,7 +359,8 @@ static void test_warnings(void **state) {
     imported_scene_free(imported);
 }
 
-int main(void) {
+int main(void)
+{
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_obj),       cmocka_unit_test(test_made_normals),    cmocka_unit_test(test_gltf),
         cmocka_unit_test(test_collada),   cmocka_unit_test(test_gltf_containers), cmocka_unit_test(test_broken_files),

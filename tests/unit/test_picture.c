@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Tests of the picture files and of glint-compare, which is run as a program: the one that GLINT_COMPARE names, or
- * build/glint-compare. Files go to a directory that GLINT_TEST_DIR names, or to build/.
+ * build/glint-compare. Files go to a directory that GLINT_TEST_DIR names, or to build/. Needs POSIX
+ * (popen(), mkdtemp()), that is -D_POSIX_C_SOURCE=200809L under -std=c99.
  */
-#ifndef _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L /* popen(), setenv() */
-#endif
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -23,7 +21,8 @@
 
 static char directory[256];
 
-static const char *file_name(const char *name) {
+static const char *file_name(const char *name)
+{
     static char names[8][400];
     static int next;
     next = (next + 1) % 8;
@@ -31,20 +30,23 @@ static const char *file_name(const char *name) {
     return names[next];
 }
 
-static void write_bytes(const char *name, const char *bytes, size_t count) {
+static void write_bytes(const char *name, const char *bytes, size_t count)
+{
     FILE *file = fopen(file_name(name), "wb");
     assert_non_null(file);
     assert_int_equal(fwrite(bytes, 1, count, file), count);
     assert_int_equal(fclose(file), 0);
 }
 
-static int is_there(const char *name) {
+static int is_there(const char *name)
+{
     struct stat status;
     return stat(file_name(name), &status) == 0;
 }
 
 /* A picture whose every value differs from its neighbours'. */
-static picture make_picture(int width, int height) {
+static picture make_picture(int width, int height)
+{
     picture p;
     char error[200];
     assert_int_equal(picture_create(&p, width, height, error, sizeof error), 0);
@@ -54,20 +56,23 @@ static picture make_picture(int width, int height) {
     return p;
 }
 
-static void write_picture(const char *name, const picture *p) {
+static void write_picture(const char *name, const picture *p)
+{
     char error[300] = "";
     if (picture_write(file_name(name), p, error, sizeof error)) {
         fail_msg("%s", error);
     }
 }
 
-static void expect_same(const picture *a, const picture *b) {
+static void expect_same(const picture *a, const picture *b)
+{
     assert_int_equal(a->width, b->width);
     assert_int_equal(a->height, b->height);
     assert_memory_equal(a->rgb, b->rgb, (size_t)a->width * (size_t)a->height * 3);
 }
 
-static void pictures_come_back_as_written(void **state) {
+static void pictures_come_back_as_written(void **state)
+{
     static const char *const names[] = {"back.ppm", "back.png", "back.PNG"};
     picture p = make_picture(13, 7), q;
     char error[300] = "";
@@ -89,7 +94,8 @@ static void pictures_come_back_as_written(void **state) {
     picture_free(&p);
 }
 
-static void netpbm_headers_are_read(void **state) {
+static void netpbm_headers_are_read(void **state)
+{
     static const char grey[] = "P5 # grey\n#another comment\n 2\t1\r\n255\n\x07\xff";
     picture p;
     char error[300] = "";
@@ -102,7 +108,8 @@ static void netpbm_headers_are_read(void **state) {
     picture_free(&p);
 }
 
-static void damaged_files_are_refused(void **state) {
+static void damaged_files_are_refused(void **state)
+{
     static const struct {
         const char *bytes, *says;
     } cases[] = {
@@ -142,7 +149,8 @@ static void damaged_files_are_refused(void **state) {
     assert_int_equal(picture_read(file_name("not there.ppm"), &p, NULL, 0), -1);
 }
 
-static void damaged_png_is_refused(void **state) {
+static void damaged_png_is_refused(void **state)
+{
     char error[300] = "", bytes[2000];
     picture p = make_picture(13, 7);
     (void)state;
@@ -163,7 +171,8 @@ static void damaged_png_is_refused(void **state) {
     }
 }
 
-static void absurd_sizes_are_refused(void **state) {
+static void absurd_sizes_are_refused(void **state)
+{
     static const int sizes[][2] = {{0, 1}, {1, 0}, {-1, 1}, {PICTURE_MAX_SIZE_PX + 1, 1}, {1, PICTURE_MAX_SIZE_PX + 1}};
     (void)state;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
@@ -175,7 +184,8 @@ static void absurd_sizes_are_refused(void **state) {
     }
 }
 
-static void unwritable_outputs_are_errors(void **state) {
+static void unwritable_outputs_are_errors(void **state)
+{
     picture p = make_picture(200, 200);
     char error[300] = "";
     (void)state;
@@ -198,13 +208,14 @@ static void unwritable_outputs_are_errors(void **state) {
 
 /* Runs glint-compare with the files' directory as its working directory. Returns its exit code; `out` is what it
  * printed, on stderr when `errors` is set. */
-static int compare(const char *arguments, int errors, char *out, size_t out_bytes) {
+static int compare(const char *arguments, int errors, char *out, size_t out_bytes)
+{
     char command[1500];
     size_t got;
     int status;
     snprintf(command, sizeof command, "cd '%s' && \"$GLINT_COMPARE\" %s %s", directory, arguments,
              errors ? "2>&1 >/dev/null" : "2>/dev/null");
-    FILE *pipe = popen(command, "r");
+    FILE *pipe = popen(command, "r"); /* NOLINT(cert-env33-c): the shell gives the directory and the redirection */
     assert_non_null(pipe);
     got = fread(out, 1, out_bytes - 1, pipe);
     out[got] = '\0';
@@ -213,13 +224,15 @@ static int compare(const char *arguments, int errors, char *out, size_t out_byte
     return WEXITSTATUS(status);
 }
 
-static void expect_line(const char *arguments, int code, const char *line) {
+static void expect_line(const char *arguments, int code, const char *line)
+{
     char out[1000];
     assert_int_equal(compare(arguments, 0, out, sizeof out), code);
     assert_string_equal(out, line);
 }
 
-static void compare_prints_one_line(void **state) {
+static void compare_prints_one_line(void **state)
+{
     picture p = make_picture(10, 10), q = make_picture(10, 10), mask = make_picture(10, 10);
     (void)state;
     memset(p.rgb, 100, 300);
@@ -248,7 +261,8 @@ static void compare_prints_one_line(void **state) {
     picture_free(&mask);
 }
 
-static void compare_writes_the_difference(void **state) {
+static void compare_writes_the_difference(void **state)
+{
     picture p = make_picture(2, 1), q = make_picture(2, 1), d;
     char error[300] = "", out[1000];
     (void)state;
@@ -268,7 +282,8 @@ static void compare_writes_the_difference(void **state) {
     picture_free(&q);
 }
 
-static void compare_refuses_what_it_cannot_use(void **state) {
+static void compare_refuses_what_it_cannot_use(void **state)
+{
     static const struct {
         const char *arguments, *says;
     } cases[] = {
@@ -311,7 +326,8 @@ static void compare_refuses_what_it_cannot_use(void **state) {
 }
 
 /* Makes the directory and the absolute name of the program, since the tests run it from the directory. */
-static int prepare(void **state) {
+static int prepare(void **state)
+{
     static char program[1000], here[500];
     const char *base = getenv("GLINT_TEST_DIR"), *given = getenv("GLINT_COMPARE");
     (void)state;
@@ -329,7 +345,8 @@ static int prepare(void **state) {
     return setenv("GLINT_COMPARE", program, 1);
 }
 
-static int clean_up(void **state) {
+static int clean_up(void **state)
+{
     static const char *const names[] = {"back.ppm", "back.png", "back.PNG", "grey.pgm", "damaged.ppm", "whole.png",
                                         "cut.png",  "a.ppm",    "b.ppm",    "d.ppm",    "mask.ppm",    "other.ppm"};
     (void)state;
@@ -339,7 +356,8 @@ static int clean_up(void **state) {
     return rmdir(directory); /* fails when a test left a file that is not named here, such as a .part */
 }
 
-int main(void) {
+int main(void)
+{
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_come_back_as_written),
         cmocka_unit_test(netpbm_headers_are_read),

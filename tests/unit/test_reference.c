@@ -6,19 +6,22 @@
 #include "tests/unit/reference_world.h"
 
 /* The direction from the square's point at a pixel to the eye, times 1 / cos of its angle with z. */
-static void to_eye(int x, int y, double c[3]) {
+static void to_eye(int x, int y, double c[3])
+{
     c[0] = -(x + 0.5 - 32.0) / 32.0;
     c[1] = (y + 0.5 - 32.0) / 32.0;
     c[2] = 1.0;
 }
 
-static double cosine_to_eye(int x, int y) {
+static double cosine_to_eye(int x, int y)
+{
     double c[3];
     to_eye(x, y, c);
     return 1.0 / sqrt(c[0] * c[0] + c[1] * c[1] + 1.0);
 }
 
-static void ambient_and_diffuse_follow_the_formula(void **state) {
+static void ambient_and_diffuse_follow_the_formula(void **state)
+{
     world w;
     (void)state;
     set_up(&w);
@@ -42,7 +45,8 @@ static void ambient_and_diffuse_follow_the_formula(void **state) {
 }
 
 /* The square's edges are at 32 +- 25.6 px. */
-static void square_covers_its_pixels(void **state) {
+static void square_covers_its_pixels(void **state)
+{
     world w;
     (void)state;
     set_up(&w);
@@ -59,7 +63,8 @@ static void square_covers_its_pixels(void **state) {
     reference_free(&w.image);
 }
 
-static void highlight_is_at_the_mirror_direction(void **state) {
+static void highlight_is_at_the_mirror_direction(void **state)
+{
     world w;
     (void)state;
     set_up(&w);
@@ -92,7 +97,8 @@ static void highlight_is_at_the_mirror_direction(void **state) {
 
 /* Light from the left at s = (-4, 0, 3) / 5: where r.c < 0 there is no highlight, not even of an odd or broken power.
  */
-static void highlight_ends_at_a_right_angle(void **state) {
+static void highlight_ends_at_a_right_angle(void **state)
+{
     world w;
     int dark = 0;
     (void)state;
@@ -116,7 +122,8 @@ static void highlight_ends_at_a_right_angle(void **state) {
 }
 
 /* A light at the eye: s = c, so r.c = cos 2t and, with Blinn, n.h = cos t. */
-static void point_light_at_the_eye(void **state) {
+static void point_light_at_the_eye(void **state)
+{
     world w;
     (void)state;
     set_up(&w);
@@ -138,7 +145,8 @@ static void point_light_at_the_eye(void **state) {
 }
 
 /* Light along -z: the half vector halves the angle between c and n. */
-static void blinn_halves_the_angle(void **state) {
+static void blinn_halves_the_angle(void **state)
+{
     world w;
     (void)state;
     set_up(&w);
@@ -153,7 +161,8 @@ static void blinn_halves_the_angle(void **state) {
     reference_free(&w.image);
 }
 
-static void specular_ends_where_the_light_is_behind(void **state) {
+static void specular_ends_where_the_light_is_behind(void **state)
+{
     world w;
     (void)state;
     set_up(&w);
@@ -185,14 +194,16 @@ static const glint_mesh floor_mesh = {floor_positions, floor_normals, one_triang
 #define FLOOR_END (4915.0 / UNIT)
 #define FLOOR_NEAR 1.5
 
-static void set_up_floor(world *w) {
+static void set_up_floor(world *w)
+{
     set_up(w);
     w->camera.near_q16 = Q16(FLOOR_NEAR);
     w->object[0].mesh = &floor_mesh;
     set_direction(w, -2, -3, -6); /* s = (2, 3, 6) / 7 */
 }
 
-static void floor_has_perspective_barycentrics(void **state) {
+static void floor_has_perspective_barycentrics(void **state)
+{
     world w;
     int seen = 0;
     (void)state;
@@ -219,7 +230,8 @@ static void floor_has_perspective_barycentrics(void **state) {
 
 /* What is left of the floor is a triangle with two new corners on the near plane, a fraction t of the way from corner
  * 2, at which the colour is that far between the corners' (1/7, 3/14, 3/7); on the screen it is linear. */
-static void gouraud_is_cut_at_the_near_plane(void **state) {
+static void gouraud_is_cut_at_the_near_plane(void **state)
+{
     world w;
     int seen = 0;
     double t = (16.0 - FLOOR_NEAR) / (11.0 + FLOOR_END), bottom = 32.0 + 32.0 / FLOOR_NEAR,
@@ -244,7 +256,8 @@ static void gouraud_is_cut_at_the_near_plane(void **state) {
 
 /* Corners at (16, 48), (48, 48), (16, 16) px but at depths 5, 2.5 and 10: Gouraud is linear on the screen all the same,
  * with f X / Z = -16, 16 and so on. */
-static void gouraud_is_linear_on_the_screen(void **state) {
+static void gouraud_is_linear_on_the_screen(void **state)
+{
     static const int16_t positions[3][3] = {{-5 * UNIT / 2, -5 * UNIT / 2, 0},
                                             {5 * UNIT / 4, -5 * UNIT / 4, 5 * UNIT / 2},
                                             {-5 * UNIT, 5 * UNIT, -5 * UNIT}};
@@ -264,7 +277,8 @@ static void gouraud_is_linear_on_the_screen(void **state) {
 }
 
 /* Corners on the three axes: the face normal is (1, 1, 1) / sqrt 3. It serves in flat shading and for stored zeros. */
-static void face_normal_is_used(void **state) {
+static void face_normal_is_used(void **state)
+{
     static const int16_t positions[3][3] = {{2 * UNIT, 0, 0}, {0, 2 * UNIT, 0}, {0, 0, 2 * UNIT}};
     static const int16_t zero[3][3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     static const glint_mesh mesh = {positions, zero, one_triangle, 3, 1, UNIT_BITS};
@@ -283,7 +297,8 @@ static void face_normal_is_used(void **state) {
 
 /* The one pixel of the picture looks at (1/4, -1/2, 0). There b_2 = (y + 1) / 2 = 1/4 and b_1 - b_0 = x = 1/4, so that
  * b = (1/4, 1/2, 1/4) and the normals (x, -x, x) cancel out. */
-static void cancelling_normals_leave_the_face_normal(void **state) {
+static void cancelling_normals_leave_the_face_normal(void **state)
+{
     static const int16_t positions[3][3] = {{-UNIT, -UNIT, 0}, {UNIT, -UNIT, 0}, {0, UNIT, 0}};
     static const int16_t normals[3][3] = {{16384, 0, 0}, {-16384, 0, 0}, {16384, 0, 0}};
     static const glint_mesh mesh = {positions, normals, one_triangle, 3, 1, UNIT_BITS};
@@ -301,7 +316,8 @@ static void cancelling_normals_leave_the_face_normal(void **state) {
     reference_free(&w.image);
 }
 
-static void mirrored_place_keeps_outside_outside(void **state) {
+static void mirrored_place_keeps_outside_outside(void **state)
+{
     world w;
     (void)state;
     set_up(&w);
@@ -323,7 +339,8 @@ static void mirrored_place_keeps_outside_outside(void **state) {
 
 /* One triangle of the unit sphere, normals = positions, stretched by (2, 1, 1/2): the normals of the ellipsoid
  * x^2/4 + y^2 + 4 z^2 = 1 at its corners are along (x/4, y, 4z), (x, y, z) on the ellipsoid. */
-static void stretched_sphere_has_the_ellipsoid_normals(void **state) {
+static void stretched_sphere_has_the_ellipsoid_normals(void **state)
+{
     static const double scale[3] = {2.0, 1.0, 0.5};
     static const int16_t ball[3][3] = {{12288, 0, 10837}, {0, 12288, 10837}, {-9000, -9000, 10266}};
     static const glint_mesh mesh = {ball, ball, one_triangle, 3, 1, 14};
@@ -350,8 +367,8 @@ static void stretched_sphere_has_the_ellipsoid_normals(void **state) {
     draw(&w, GLINT_SHADING_EXACT);
     for (int i = 0; i < SIZE * SIZE; i++) {
         if (w.image.triangle[i] == 0) {
-            double z = w.image.depth[i], x = (i % SIZE + 0.5 - 32.0) / 32.0 * z,
-                   y = -(i / SIZE + 0.5 - 32.0) / 32.0 * z;
+            int column = i % SIZE, row = i / SIZE;
+            double z = w.image.depth[i], x = (column + 0.5 - 32.0) / 32.0 * z, y = -(row + 0.5 - 32.0) / 32.0 * z;
             /* barycentric from x and y, by Cramer's rule */
             double a = p[0][0] - p[2][0], b = p[1][0] - p[2][0], c = p[0][1] - p[2][1], d = p[1][1] - p[2][1];
             double b0 = ((x - p[2][0]) * d - b * (y - p[2][1])) / (a * d - b * c);
@@ -371,7 +388,8 @@ static void stretched_sphere_has_the_ellipsoid_normals(void **state) {
 }
 
 /* A small triangle around (1, 1.5, 0) is seen at (32 + 6.4, 32 - 9.6); with up = -x, x goes down and y to the right. */
-static void camera_follows_its_conventions(void **state) {
+static void camera_follows_its_conventions(void **state)
+{
     static const int16_t positions[3][3] = {
         {UNIT - 90, 3 * UNIT / 2 - 90, 0}, {UNIT + 90, 3 * UNIT / 2 - 90, 0}, {UNIT, 3 * UNIT / 2 + 90, 0}};
     static const glint_mesh mesh = {positions, square_normals, one_triangle, 3, 1, UNIT_BITS};
@@ -394,7 +412,8 @@ static void camera_follows_its_conventions(void **state) {
     reference_free(&w.image);
 }
 
-static void what_cannot_be_drawn_is_an_error(void **state) {
+static void what_cannot_be_drawn_is_an_error(void **state)
+{
     static const uint16_t wrong[1][3] = {{0, 1, 4}};
     glint_mesh mesh = square;
     world w;
@@ -413,7 +432,8 @@ static void what_cannot_be_drawn_is_an_error(void **state) {
     assert_int_equal(reference_render(&w.scene, 4, 4, 0, &w.image, NULL, 0), -1);
 }
 
-int main(void) {
+int main(void)
+{
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ambient_and_diffuse_follow_the_formula),
         cmocka_unit_test(square_covers_its_pixels),

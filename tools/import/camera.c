@@ -27,12 +27,14 @@
 
 static const double three_quarters[3] = {0.6, 0.5, 1.0}; /* from the target to the eye */
 
-static bool gltf_field_is_product(void) {
+static bool gltf_field_is_product(void)
+{
     unsigned major = aiGetVersionMajor(), minor = aiGetVersionMinor();
     return major < 5 || (major == 5 && minor < 3);
 }
 
-static double vertical_field(importer *import, const struct aiCamera *camera) {
+static double vertical_field(importer *import, const struct aiCamera *camera)
+{
     double horizontal = (double)camera->mHorizontalFOV, aspect = (double)camera->mAspect;
     if (import->kind == FILE_GLTF && gltf_field_is_product()) {
         return aspect > 0 ? horizontal / aspect : horizontal;
@@ -46,7 +48,8 @@ static double vertical_field(importer *import, const struct aiCamera *camera) {
     return aspect > 0 ? 2 * atan(tan(horizontal / 2) / aspect) : horizontal;
 }
 
-static bool view_from_file(importer *import, const struct aiCamera *camera, view *result) {
+static bool view_from_file(importer *import, const struct aiCamera *camera, view *result)
+{
     const char *name = name_of(&camera->mName);
     matrix34 world;
     if (!gather_node_matrix(import, camera->mName.data, &world)) {
@@ -90,7 +93,8 @@ static bool view_from_file(importer *import, const struct aiCamera *camera, view
     return true;
 }
 
-static void frame_view(const importer *import, view *result) {
+static void frame_view(const importer *import, view *result)
+{
     result->field_of_view = DEFAULT_FIELD_OF_VIEW;
     double distance = FRAME_MARGIN * import->radius / sin(result->field_of_view / 2);
     for (int k = 0; k < 3; k++) {
@@ -105,7 +109,8 @@ static void frame_view(const importer *import, view *result) {
     result->from_file = false;
 }
 
-void find_view(importer *import) {
+void find_view(importer *import)
+{
     view *chosen = &import->view;
     bool found = false;
     for (unsigned i = 0; i < import->file->mNumCameras && !found; i++) {
@@ -132,7 +137,8 @@ void find_view(importer *import) {
     chosen->near_plane = fmax(chosen->near_plane, least);
 }
 
-void write_camera(importer *import) {
+void write_camera(importer *import)
+{
     const view *from = &import->view;
     glint_camera *camera = &import->out->camera;
     for (int k = 0; k < 3; k++) {

@@ -11,11 +11,13 @@
 
 #include <math.h>
 
-static bool finite_vector(const struct aiVector3D *vector) {
+static bool finite_vector(const struct aiVector3D *vector)
+{
     return isfinite(vector->x) && isfinite(vector->y) && isfinite(vector->z);
 }
 
-static int check_mesh(importer *import, const struct aiMesh *mesh) {
+static int check_mesh(importer *import, const struct aiMesh *mesh)
+{
     const char *name = name_of(&mesh->mName);
     if ((mesh->mNumVertices && !mesh->mVertices) || (mesh->mNumFaces && !mesh->mFaces)) {
         return fail(import, "mesh '%s': an array is missing", name);
@@ -50,11 +52,13 @@ static int check_mesh(importer *import, const struct aiMesh *mesh) {
     return 0;
 }
 
-static bool finite_colour(const struct aiColor3D *colour) {
+static bool finite_colour(const struct aiColor3D *colour)
+{
     return isfinite(colour->r) && isfinite(colour->g) && isfinite(colour->b);
 }
 
-int check_file(importer *import) {
+int check_file(importer *import)
+{
     const struct aiScene *file = import->file;
     if (!file->mRootNode || !file->mNumMeshes) {
         return fail(import, "the file has no mesh; at least one triangle expected");

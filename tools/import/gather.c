@@ -15,19 +15,22 @@
 static const matrix34 identity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
 /* assimp's matrices are row-major with the translation in the last column, like matrix34. */
-static matrix34 from_file(const struct aiMatrix4x4 *matrix) {
+static matrix34 from_file(const struct aiMatrix4x4 *matrix)
+{
     matrix34 result = {{{(double)matrix->a1, (double)matrix->a2, (double)matrix->a3, (double)matrix->a4},
                         {(double)matrix->b1, (double)matrix->b2, (double)matrix->b3, (double)matrix->b4},
                         {(double)matrix->c1, (double)matrix->c2, (double)matrix->c3, (double)matrix->c4}}};
     return result;
 }
 
-static bool affine(const struct aiMatrix4x4 *matrix) {
+static bool affine(const struct aiMatrix4x4 *matrix)
+{
     return fabsf(matrix->d1) < 1e-6f && fabsf(matrix->d2) < 1e-6f && fabsf(matrix->d3) < 1e-6f &&
            fabsf(matrix->d4 - 1) < 1e-6f;
 }
 
-static matrix34 multiply(const matrix34 *a, const matrix34 *b) {
+static matrix34 multiply(const matrix34 *a, const matrix34 *b)
+{
     matrix34 result;
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 4; k++) {
@@ -41,20 +44,23 @@ static matrix34 multiply(const matrix34 *a, const matrix34 *b) {
     return result;
 }
 
-void transform_direction(const matrix34 *matrix, const double direction[3], double result[3]) {
+void transform_direction(const matrix34 *matrix, const double direction[3], double result[3])
+{
     for (int i = 0; i < 3; i++) {
         result[i] = dot3(matrix->entry[i], direction);
     }
 }
 
-void transform_point(const matrix34 *matrix, const double point[3], double result[3]) {
+void transform_point(const matrix34 *matrix, const double point[3], double result[3])
+{
     transform_direction(matrix, point, result);
     for (int i = 0; i < 3; i++) {
         result[i] += matrix->entry[i][3];
     }
 }
 
-static int add_instance(importer *import, unsigned mesh, const matrix34 *world, const char *name) {
+static int add_instance(importer *import, unsigned mesh, const matrix34 *world, const char *name)
+{
     if (import->instance_count == MAX_OBJECTS) {
         return fail(import, "the file uses meshes more than %d times; at most so many objects expected", MAX_OBJECTS);
     }
@@ -101,7 +107,8 @@ static int gather_node(importer *import, const struct aiNode *node,
     return 0;
 }
 
-int gather_instances(importer *import) {
+int gather_instances(importer *import)
+{
     if (gather_node(import, import->file->mRootNode, &identity)) {
         return -1;
     }
@@ -125,7 +132,8 @@ static const struct aiNode *find_node(const struct aiNode *node, const char *nam
     return NULL;
 }
 
-bool gather_node_matrix(importer *import, const char *name, matrix34 *world) {
+bool gather_node_matrix(importer *import, const char *name, matrix34 *world)
+{
     *world = identity;
     const struct aiNode *node = find_node(import->file->mRootNode, name);
     bool found = node != NULL;

@@ -28,7 +28,8 @@
 
 #define MAX_PARSER_WARNINGS 20
 
-int fail(importer *import, const char *format, ...) {
+int fail(importer *import, const char *format, ...)
+{
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(import->error, import->error_bytes, format, arguments);
@@ -41,16 +42,19 @@ int fail(importer *import, const char *format, ...) {
     return -1;
 }
 
-int fail_memory(importer *import) {
+int fail_memory(importer *import)
+{
     return fail(import, "not enough memory for the model");
 }
 
-const char *name_of(const struct aiString *name) {
+const char *name_of(const struct aiString *name)
+{
     return name->length ? name->data : "(unnamed)";
 }
 
 /* The kind by the path's ending, in any case; -1 for an unknown one. */
-static int kind_of(const char *path) {
+static int kind_of(const char *path)
+{
     static const struct {
         const char *ending;
         file_kind kind;
@@ -71,7 +75,8 @@ static int kind_of(const char *path) {
 }
 
 /* Says what is wrong with the file itself, where assimp would only say that it could not read it. */
-static int check_path(importer *import, const char *path) {
+static int check_path(importer *import, const char *path)
+{
     int kind = kind_of(path);
     if (kind < 0) {
         return fail(import, "unknown kind of file; .obj, .gltf, .glb or .dae expected");
@@ -98,7 +103,8 @@ static int check_path(importer *import, const char *path) {
  * assimp's own warnings ("Warn,  T0: text\n") become ours: that is how a missing MTL is told. glTF faces with an index
  * out of range it drops with no more than a warning, though the file is broken: that is an error here.
  */
-static void take_log(const char *message, char *user) {
+static void take_log(const char *message, char *user)
+{
     importer *import = (importer *)(void *)user;
     if (strncmp(message, "Warn", 4) != 0 && strncmp(message, "Error", 5) != 0) {
         return;
@@ -112,7 +118,8 @@ static void take_log(const char *message, char *user) {
     store_warn(import->out, "assimp: %.*s", (int)strcspn(text, "\n"), text);
 }
 
-static int parse(importer *import, const char *path) {
+static int parse(importer *import, const char *path)
+{
     struct aiPropertyStore *properties = aiCreatePropertyStore();
     if (!properties) {
         return fail_memory(import);
@@ -136,7 +143,8 @@ static int parse(importer *import, const char *path) {
 }
 
 /* glTF 2.0, 3.7.2.1: a primitive without normals has flat ones; those are the zero normals of a glint_mesh. */
-static int make_triangles(importer *import) {
+static int make_triangles(importer *import)
+{
     unsigned steps[2] = {aiProcess_GenSmoothNormals, aiProcess_Triangulate};
     for (int i = import->kind == FILE_GLTF ? 1 : 0; i < 2; i++) {
         const struct aiScene *processed = aiApplyPostProcessing(import->file, steps[i]);
@@ -149,7 +157,8 @@ static int make_triangles(importer *import) {
     return 0;
 }
 
-static int run(importer *import, const char *path) {
+static int run(importer *import, const char *path)
+{
     struct aiLogStream log = {take_log, (char *)(void *)import};
     aiAttachLogStream(&log);
     int result = parse(import, path);
@@ -171,7 +180,8 @@ static int run(importer *import, const char *path) {
     return 0;
 }
 
-int import_scene(const char *path, imported_scene **out, char *error, size_t error_bytes) {
+int import_scene(const char *path, imported_scene **out, char *error, size_t error_bytes)
+{
     *out = NULL;
     char reason[1024] = "";
     importer import = {.error = reason, .error_bytes = sizeof reason, .world_scale = 1};

@@ -6,7 +6,8 @@
 
 #ifndef GLINT_HAVE_ASSIMP
 
-int import_scene(const char *path, imported_scene **out, char *error, size_t error_bytes) {
+int import_scene(const char *path, imported_scene **out, char *error, size_t error_bytes)
+{
     *out = NULL;
     snprintf(
         error, error_bytes,

@@ -28,7 +28,8 @@ typedef struct float_light {
     bool point;
 } float_light;
 
-static void to_q14(const double intensity[3], double scale, glint_colour *result) {
+static void to_q14(const double intensity[3], double scale, glint_colour *result)
+{
     int16_t codes[3];
     for (int k = 0; k < 3; k++) {
         codes[k] = (int16_t)fmax(0, to_fixed(intensity[k] * scale, FIXED_ONE_Q14, INT16_MAX));
@@ -36,7 +37,8 @@ static void to_q14(const double intensity[3], double scale, glint_colour *result
     *result = (glint_colour){codes[0], codes[1], codes[2]};
 }
 
-static void attenuate(const importer *import, const struct aiLight *light, float_light *result) {
+static void attenuate(const importer *import, const struct aiLight *light, float_light *result)
+{
     double away[3];
     for (int k = 0; k < 3; k++) {
         away[k] = result->position[k] - import->centre[k];
@@ -50,7 +52,8 @@ static void attenuate(const importer *import, const struct aiLight *light, float
 }
 
 /* Returns false for a light that is left out. */
-static bool read_light(importer *import, const struct aiLight *light, float_light *result) {
+static bool read_light(importer *import, const struct aiLight *light, float_light *result)
+{
     const char *name = name_of(&light->mName);
     matrix34 world;
     if (!gather_node_matrix(import, light->mName.data, &world)) {
@@ -91,7 +94,8 @@ static bool read_light(importer *import, const struct aiLight *light, float_ligh
     return true;
 }
 
-static void write_light(importer *import, const float_light *from, double scale, glint_light *light) {
+static void write_light(importer *import, const float_light *from, double scale, glint_light *light)
+{
     to_q14(from->colour, scale, &light->colour);
     if (!from->point) {
         light->kind = GLINT_DIRECTIONAL;
@@ -115,7 +119,8 @@ static void write_light(importer *import, const float_light *from, double scale,
     }
 }
 
-static void make_default_light(importer *import, glint_light *light) {
+static void make_default_light(importer *import, glint_light *light)
+{
     const view *from = &import->view;
     double right[3], direction[3];
     cross3(from->forward, from->up, right);
@@ -131,7 +136,8 @@ static void make_default_light(importer *import, glint_light *light) {
 }
 
 /* Adds up the ambient lights and reads the others; returns how many those are. */
-static size_t read_lights(importer *import, float_light *lights, double ambient[3]) {
+static size_t read_lights(importer *import, float_light *lights, double ambient[3])
+{
     size_t count = 0;
     for (unsigned i = 0; i < import->file->mNumLights; i++) {
         const struct aiLight *light = import->file->mLights[i];
@@ -146,7 +152,8 @@ static size_t read_lights(importer *import, float_light *lights, double ambient[
     return count;
 }
 
-int make_lights(importer *import) {
+int make_lights(importer *import)
+{
     imported_scene *out = import->out;
     unsigned room = import->file->mNumLights;
     if (room > UINT16_MAX) {

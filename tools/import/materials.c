@@ -32,8 +32,8 @@ typedef struct float_material {
 
 static const char *const part_names[] = {"ambient", "diffuse", "specular"};
 
-static bool get_number(const struct aiMaterial *material, const char *key, unsigned type, unsigned index,
-                       double *value) {
+static bool get_number(const struct aiMaterial *material, const char *key, unsigned type, unsigned index, double *value)
+{
     float number;
     unsigned room = 1;
     if (aiGetMaterialFloatArray(material, key, type, index, &number, &room) != aiReturn_SUCCESS || room < 1) {
@@ -44,7 +44,8 @@ static bool get_number(const struct aiMaterial *material, const char *key, unsig
 }
 
 static bool get_colour(const struct aiMaterial *material, const char *key, unsigned type, unsigned index,
-                       double value[3]) {
+                       double value[3])
+{
     float numbers[4];
     unsigned room = 4;
     if (aiGetMaterialFloatArray(material, key, type, index, numbers, &room) != aiReturn_SUCCESS || room < 3) {
@@ -57,7 +58,8 @@ static bool get_colour(const struct aiMaterial *material, const char *key, unsig
 }
 
 /* assimp's own accessor reads 4 bytes also where a property holds a bool of one. */
-static int get_integer(const struct aiMaterial *material, const char *key, unsigned type, unsigned index, int missing) {
+static int get_integer(const struct aiMaterial *material, const char *key, unsigned type, unsigned index, int missing)
+{
     const struct aiMaterialProperty *property;
     if (aiGetMaterialProperty(material, key, type, index, &property) != aiReturn_SUCCESS) {
         return missing;
@@ -73,7 +75,8 @@ static int get_integer(const struct aiMaterial *material, const char *key, unsig
     return value;
 }
 
-static void name_material(const struct aiMaterial *material, char name[128]) {
+static void name_material(const struct aiMaterial *material, char name[128])
+{
     struct aiString given;
     memset(&given, 0, sizeof given);
     bool has = aiGetMaterialString(material, AI_MATKEY_NAME, &given) == aiReturn_SUCCESS && given.length;
@@ -81,7 +84,8 @@ static void name_material(const struct aiMaterial *material, char name[128]) {
 }
 
 /* What has no place in the model. */
-static void warn_of_rest(importer *import, const struct aiMaterial *material, const char *name) {
+static void warn_of_rest(importer *import, const struct aiMaterial *material, const char *name)
+{
     unsigned textures = 0;
     for (int type = aiTextureType_DIFFUSE; type <= AI_TEXTURE_TYPE_MAX; type++) {
         textures += aiGetMaterialTextureCount(material, (enum aiTextureType)type);
@@ -102,7 +106,8 @@ static void warn_of_rest(importer *import, const struct aiMaterial *material, co
     }
 }
 
-static void from_roughness(const struct aiMaterial *material, double roughness, float_material *result) {
+static void from_roughness(const struct aiMaterial *material, double roughness, float_material *result)
+{
     double colour[3] = {1, 1, 1}, metallic = 1;
     if (!get_colour(material, AI_MATKEY_BASE_COLOR, colour)) {
         get_colour(material, AI_MATKEY_COLOR_DIFFUSE, colour);
@@ -120,7 +125,8 @@ static void from_roughness(const struct aiMaterial *material, double roughness, 
     }
 }
 
-static void from_phong(importer *import, const struct aiMaterial *material, const char *name, float_material *result) {
+static void from_phong(importer *import, const struct aiMaterial *material, const char *name, float_material *result)
+{
     get_colour(material, AI_MATKEY_COLOR_AMBIENT, result->ambient);
     get_colour(material, AI_MATKEY_COLOR_DIFFUSE, result->diffuse);
     get_colour(material, AI_MATKEY_COLOR_SPECULAR, result->specular);
@@ -141,8 +147,8 @@ static void from_phong(importer *import, const struct aiMaterial *material, cons
     }
 }
 
-static int to_colour(importer *import, const char *name, const char *part, const double value[3],
-                     glint_colour *result) {
+static int to_colour(importer *import, const char *name, const char *part, const double value[3], glint_colour *result)
+{
     int16_t codes[3];
     bool clamped = false;
     for (int k = 0; k < 3; k++) {
@@ -160,7 +166,8 @@ static int to_colour(importer *import, const char *name, const char *part, const
     return 0;
 }
 
-static int make_material(importer *import, const struct aiMaterial *material, glint_material *result) {
+static int make_material(importer *import, const struct aiMaterial *material, glint_material *result)
+{
     char name[128];
     name_material(material, name);
     warn_of_rest(import, material, name);
@@ -193,7 +200,8 @@ static int make_material(importer *import, const struct aiMaterial *material, gl
     return 0;
 }
 
-int make_materials(importer *import, const glint_material *const **by_number) {
+int make_materials(importer *import, const glint_material *const **by_number)
+{
     const struct aiScene *file = import->file;
     const glint_material **table = store_take(import->out, file->mNumMaterials, sizeof *table);
     if (!table) {

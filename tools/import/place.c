@@ -21,7 +21,8 @@
 #define LEAST_ENTRY 0.5 /* of a matrix's greatest: its error is then at most 2^-16 of it */
 
 /* The greatest world coordinate of objects and camera. */
-static double greatest_coordinate(const importer *import) {
+static double greatest_coordinate(const importer *import)
+{
     double greatest = 0;
     for (int k = 0; k < 3; k++) {
         double target = import->view.eye[k] + import->view.distance * import->view.forward[k];
@@ -36,7 +37,8 @@ static double greatest_coordinate(const importer *import) {
     return greatest;
 }
 
-static void choose_world_scale(importer *import) {
+static void choose_world_scale(importer *import)
+{
     double greatest = greatest_coordinate(import);
     double scale = 1;
     while (import->radius > 0 && import->radius * scale < LEAST_RADIUS && greatest * scale * 2 <= EXTENT_LIMIT) {
@@ -52,7 +54,8 @@ static void choose_world_scale(importer *import) {
     }
 }
 
-static double greatest_entry(const matrix34 *matrix) {
+static double greatest_entry(const matrix34 *matrix)
+{
     double greatest = 0;
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++) {
@@ -63,7 +66,8 @@ static double greatest_entry(const matrix34 *matrix) {
 }
 
 /* One unit for all meshes of a grid, as their places are the same. */
-static int choose_units(importer *import) {
+static int choose_units(importer *import)
+{
     for (unsigned m = 0; m < import->file->mNumMeshes; m++) {
         quantised *mesh = &import->meshes[m];
         double greatest = 0, least = HUGE_VAL;
@@ -100,7 +104,8 @@ static int choose_units(importer *import) {
 }
 
 /* The criterion of glint_place, on the rounded entries. */
-static bool singular(const glint_place *place) {
+static bool singular(const glint_place *place)
+{
     double rows[3][3], crossed[3], greatest = 0;
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++) {
@@ -112,7 +117,8 @@ static bool singular(const glint_place *place) {
     return !(fabs(dot3(rows[0], crossed)) >= ldexp(greatest * greatest * greatest, -24)) || !(greatest > 0);
 }
 
-static void make_place(const importer *import, const instance *use, const quantised *mesh, glint_place *place) {
+static void make_place(const importer *import, const instance *use, const quantised *mesh, glint_place *place)
+{
     double origin[3];
     transform_point(&use->world, mesh->centre, origin);
     for (int i = 0; i < 3; i++) {
@@ -124,7 +130,8 @@ static void make_place(const importer *import, const instance *use, const quanti
     }
 }
 
-static int make_objects(importer *import, const glint_material *const *materials) {
+static int make_objects(importer *import, const glint_material *const *materials)
+{
     import_report *report = &import->out->report;
     size_t count = 0;
     for (size_t i = 0; i < import->instance_count; i++) {
@@ -159,7 +166,8 @@ static int make_objects(importer *import, const glint_material *const *materials
     return 0;
 }
 
-static void count_meshes(importer *import) {
+static void count_meshes(importer *import)
+{
     import_report *report = &import->out->report;
     for (unsigned m = 0; m < import->file->mNumMeshes; m++) {
         for (unsigned part = 0; part < import->meshes[m].part_count; part++) {
@@ -177,7 +185,8 @@ static void count_meshes(importer *import) {
     report->radius = import->radius * import->world_scale;
 }
 
-int place_objects(importer *import) {
+int place_objects(importer *import)
+{
     choose_world_scale(import);
     const glint_material *const *materials;
     if (choose_units(import) || make_materials(import, &materials) || make_objects(import, materials)) {

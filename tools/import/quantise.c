@@ -27,21 +27,24 @@ typedef struct box {
 
 static const box empty_box = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
 
-static void enclose(box *bounds, const double point[3]) {
+static void enclose(box *bounds, const double point[3])
+{
     for (int k = 0; k < 3; k++) {
         bounds->low[k] = fmin(bounds->low[k], point[k]);
         bounds->high[k] = fmax(bounds->high[k], point[k]);
     }
 }
 
-static void position_of(const struct aiMesh *mesh, unsigned vertex, double result[3]) {
+static void position_of(const struct aiMesh *mesh, unsigned vertex, double result[3])
+{
     result[0] = (double)mesh->mVertices[vertex].x;
     result[1] = (double)mesh->mVertices[vertex].y;
     result[2] = (double)mesh->mVertices[vertex].z;
 }
 
 /* Vertices that no triangle uses do not count: glTF buffers may hold many. */
-static void enclose_mesh(const struct aiMesh *mesh, box *bounds) {
+static void enclose_mesh(const struct aiMesh *mesh, box *bounds)
+{
     for (unsigned f = 0; f < mesh->mNumFaces; f++) {
         for (unsigned i = 0; mesh->mFaces[f].mNumIndices == 3 && i < 3; i++) {
             double point[3];
@@ -52,7 +55,8 @@ static void enclose_mesh(const struct aiMesh *mesh, box *bounds) {
 }
 
 /* The greatest e with round(extent * 2^e) <= COORDINATE_LIMIT; 0 for no extent. */
-static int grid_exponent(double extent) {
+static int grid_exponent(double extent)
+{
     if (!(extent > 0)) {
         return 0;
     }
@@ -62,7 +66,8 @@ static int grid_exponent(double extent) {
     return floor(ldexp(fraction, 15) + 0.5) > COORDINATE_LIMIT ? exponent - 1 : exponent;
 }
 
-static bool same_place(const matrix34 *a, const matrix34 *b) {
+static bool same_place(const matrix34 *a, const matrix34 *b)
+{
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 4; k++) {
             if (a->entry[i][k] < b->entry[i][k] || a->entry[i][k] > b->entry[i][k]) {
@@ -74,7 +79,8 @@ static bool same_place(const matrix34 *a, const matrix34 *b) {
 }
 
 /* Numbers the grids by the place of each mesh's first use; returns false without memory. */
-static bool number_grids(importer *import) {
+static bool number_grids(importer *import)
+{
     const matrix34 **places = malloc(import->instance_count * sizeof *places);
     unsigned grids = 0;
     for (size_t i = 0; places && i < import->instance_count; i++) {
@@ -96,7 +102,8 @@ static bool number_grids(importer *import) {
 }
 
 /* One grid for all meshes of a number. */
-static void choose_grids(importer *import) {
+static void choose_grids(importer *import)
+{
     for (unsigned m = 0; m < import->file->mNumMeshes; m++) {
         quantised *mesh = &import->meshes[m];
         bool first = mesh->used;
@@ -149,14 +156,16 @@ typedef struct workspace {
     uint64_t zero_normals;
 } workspace;
 
-static void workspace_free(workspace *work) {
+static void workspace_free(workspace *work)
+{
     free(work->vertices);
     free(work->joined_of);
     free(work->table);
     free(work->triangles);
 }
 
-static bool workspace_allocate(workspace *work, const struct aiMesh *mesh) {
+static bool workspace_allocate(workspace *work, const struct aiMesh *mesh)
+{
     size_t size = 16;
     while (size < 2 * (size_t)mesh->mNumVertices) {
         size *= 2;
@@ -175,7 +184,8 @@ static bool workspace_allocate(workspace *work, const struct aiMesh *mesh) {
 }
 
 /* The joined vertex that equals `vertex` in all bits, made when there is none yet. */
-static uint32_t join(workspace *work, const joined_vertex *vertex) {
+static uint32_t join(workspace *work, const joined_vertex *vertex)
+{
     uint32_t hash = 2166136261u; /* FNV-1a over the six values */
     for (int k = 0; k < 6; k++) {
         hash = (hash ^ (uint16_t)vertex->value[k]) * 16777619u;
@@ -192,7 +202,8 @@ static uint32_t join(workspace *work, const joined_vertex *vertex) {
     return (uint32_t)work->joined_count++;
 }
 
-static void note_position_error(importer *import, const double error[3], double diagonal) {
+static void note_position_error(importer *import, const double error[3], double diagonal)
+{
     import_report *report = &import->out->report;
     double distance = length3(error);
     double relative = diagonal > 0 ? distance / diagonal : 0;
@@ -203,7 +214,8 @@ static void note_position_error(importer *import, const double error[3], double 
     import->position_samples++;
 }
 
-static void note_normal_error(importer *import, const double normal[3], const int16_t rounded[3]) {
+static void note_normal_error(importer *import, const double normal[3], const int16_t rounded[3])
+{
     double other[3] = {rounded[0], rounded[1], rounded[2]}, crossed[3];
     cross3(normal, other, crossed);
     double degrees = atan2(length3(crossed), dot3(normal, other)) * (180 / PI);
@@ -213,7 +225,8 @@ static void note_normal_error(importer *import, const double normal[3], const in
 }
 
 static uint32_t quantise_vertex(importer *import, workspace *work, const struct aiMesh *mesh, const quantised *grid,
-                                unsigned index, double diagonal) {
+                                unsigned index, double diagonal)
+{
     if (work->joined_of[index] != NO_VERTEX) {
         return work->joined_of[index];
     }
@@ -244,7 +257,8 @@ static uint32_t quantise_vertex(importer *import, workspace *work, const struct 
 }
 
 /* On the grid: with exact integers, so nothing thin is dropped that still has an area. */
-static bool degenerate(const joined_vertex *a, const joined_vertex *b, const joined_vertex *c) {
+static bool degenerate(const joined_vertex *a, const joined_vertex *b, const joined_vertex *c)
+{
     int64_t u[3], v[3]; /* |u|, |v| < 2^17 */
     for (int k = 0; k < 3; k++) {
         u[k] = b->value[k] - a->value[k];
@@ -254,7 +268,8 @@ static bool degenerate(const joined_vertex *a, const joined_vertex *b, const joi
 }
 
 /* Cuts the joined mesh into parts of at most 65,535 vertices and triangles, in the order of the triangles. */
-static int cut_parts(importer *import, const workspace *work, quantised *result) {
+static int cut_parts(importer *import, const workspace *work, quantised *result)
+{
     size_t room = 0;
     size_t next = 0;
     uint32_t *local = malloc((work->joined_count + 1) * sizeof *local); /* index in the part under way */
@@ -311,7 +326,8 @@ static int cut_parts(importer *import, const workspace *work, quantised *result)
     return memory ? 0 : fail_memory(import);
 }
 
-static int look_for_t_junctions(importer *import, const workspace *work, const char *name) {
+static int look_for_t_junctions(importer *import, const workspace *work, const char *name)
+{
     int16_t(*positions)[3] = malloc((work->joined_count + 1) * sizeof *positions);
     if (!positions) {
         return fail_memory(import);
@@ -333,7 +349,8 @@ static int look_for_t_junctions(importer *import, const workspace *work, const c
     return 0;
 }
 
-static int quantise_mesh(importer *import, const struct aiMesh *mesh, quantised *result) {
+static int quantise_mesh(importer *import, const struct aiMesh *mesh, quantised *result)
+{
     const char *name = name_of(&mesh->mName);
     box bounds = empty_box;
     enclose_mesh(mesh, &bounds);
@@ -381,7 +398,8 @@ static int quantise_mesh(importer *import, const struct aiMesh *mesh, quantised 
 }
 
 /* Bounding box of all instances and a sphere about its centre. */
-static int find_bounds(importer *import) {
+static int find_bounds(importer *import)
+{
     box bounds = empty_box;
     double square = 0;
     for (int pass = 0; pass < 2; pass++) {
@@ -418,7 +436,8 @@ static int find_bounds(importer *import) {
     return 0;
 }
 
-int quantise_meshes(importer *import) {
+int quantise_meshes(importer *import)
+{
     import->meshes = store_take(import->out, import->file->mNumMeshes, sizeof *import->meshes);
     if (!import->meshes || !number_grids(import)) {
         return fail_memory(import);

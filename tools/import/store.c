@@ -10,11 +10,13 @@
 
 #include "tools/import/internal.h"
 
-imported_scene *store_new(void) {
+imported_scene *store_new(void)
+{
     return calloc(1, sizeof(imported_scene));
 }
 
-bool store_grow(void **array, size_t count, size_t *room, size_t bytes) {
+bool store_grow(void **array, size_t count, size_t *room, size_t bytes)
+{
     if (count < *room) {
         return true;
     }
@@ -31,7 +33,8 @@ bool store_grow(void **array, size_t count, size_t *room, size_t bytes) {
     return true;
 }
 
-void *store_take(imported_scene *scene, size_t count, size_t bytes) {
+void *store_take(imported_scene *scene, size_t count, size_t bytes)
+{
     void *blocks = scene->blocks;
     if (!store_grow(&blocks, scene->block_count, &scene->block_room, sizeof *scene->blocks)) {
         return NULL;
@@ -44,7 +47,8 @@ void *store_take(imported_scene *scene, size_t count, size_t bytes) {
     return block;
 }
 
-void store_warn(imported_scene *scene, const char *format, ...) {
+void store_warn(imported_scene *scene, const char *format, ...)
+{
     char text[512];
     va_list arguments;
     va_start(arguments, format);
@@ -65,23 +69,28 @@ void store_warn(imported_scene *scene, const char *format, ...) {
     }
 }
 
-const glint_scene *imported_scene_view(const imported_scene *scene) {
+const glint_scene *imported_scene_view(const imported_scene *scene)
+{
     return &scene->scene;
 }
 
-const import_report *imported_scene_report(const imported_scene *scene) {
+const import_report *imported_scene_report(const imported_scene *scene)
+{
     return &scene->report;
 }
 
-size_t imported_scene_warning_count(const imported_scene *scene) {
+size_t imported_scene_warning_count(const imported_scene *scene)
+{
     return scene->warning_count;
 }
 
-const char *imported_scene_warning(const imported_scene *scene, size_t index) {
+const char *imported_scene_warning(const imported_scene *scene, size_t index)
+{
     return scene->warnings[index];
 }
 
-void imported_scene_free(imported_scene *scene) {
+void imported_scene_free(imported_scene *scene)
+{
     if (!scene) {
         return;
     }

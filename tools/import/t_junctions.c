@@ -18,23 +18,27 @@
 
 #define MAX_TESTS (1u << 26) /* a second or less */
 
-static int compare_uint64(const void *a, const void *b) {
+static int compare_uint64(const void *a, const void *b)
+{
     uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
     return (x > y) - (x < y);
 }
 
-static uint64_t key_of(const int16_t position[3]) {
+static uint64_t key_of(const int16_t position[3])
+{
     return (uint64_t)(uint16_t)position[0] << 32 | (uint64_t)(uint16_t)position[1] << 16 | (uint16_t)position[2];
 }
 
-static void position_from(uint64_t key, double position[3]) {
+static void position_from(uint64_t key, double position[3])
+{
     for (int k = 0; k < 3; k++) {
         int32_t value = (int32_t)(key >> (32 - 16 * k) & 0xffff);
         position[k] = value > INT16_MAX ? value - 65536 : value;
     }
 }
 
-static size_t unique(uint64_t *keys, size_t count) {
+static size_t unique(uint64_t *keys, size_t count)
+{
     qsort(keys, count, sizeof *keys, compare_uint64);
     size_t kept = 0;
     for (size_t i = 0; i < count; i++) {
@@ -45,7 +49,8 @@ static size_t unique(uint64_t *keys, size_t count) {
     return kept;
 }
 
-static bool inside_edge(uint64_t point, uint64_t from, uint64_t to) {
+static bool inside_edge(uint64_t point, uint64_t from, uint64_t to)
+{
     double p[3], a[3], b[3], crossed[3];
     position_from(point, p);
     position_from(from, a);
@@ -63,7 +68,8 @@ static bool inside_edge(uint64_t point, uint64_t from, uint64_t to) {
 }
 
 bool count_t_junctions(const int16_t (*positions)[3], size_t vertex_count, const uint32_t (*triangles)[3],
-                       size_t triangle_count, uint64_t *result) {
+                       size_t triangle_count, uint64_t *result)
+{
     *result = 0;
     uint64_t *points = malloc((vertex_count + 1) * sizeof *points);
     uint64_t *edges = malloc((3 * triangle_count + 1) * sizeof *edges);

@@ -13,7 +13,8 @@
 #define LINE_WIDTH 110
 
 /* Comments end at the first star and slash, and names of files may have any byte. */
-static void write_comment(FILE *file, const char *text) {
+static void write_comment(FILE *file, const char *text)
+{
     char previous = ' ';
     fputs("/* ", file);
     for (; *text; text++) {
@@ -32,7 +33,8 @@ static void write_comment(FILE *file, const char *text) {
 
 /* Writes rows of three numbers, several on a line. */
 static void write_rows(FILE *file, const char *type, const char *prefix, const char *name, size_t number, size_t count,
-                       long (*value)(const void *rows, size_t row, int k), const void *rows) {
+                       long (*value)(const void *rows, size_t row, int k), const void *rows)
+{
     fprintf(file, "static const %s %s_%s_%zu[%zu][3] GLINT_FLASH = {", type, prefix, name, number, count);
     int column = LINE_WIDTH;
     for (size_t row = 0; row < count; row++) {
@@ -52,15 +54,18 @@ static void write_rows(FILE *file, const char *type, const char *prefix, const c
     fputs("\n};\n", file);
 }
 
-static long value_int16(const void *rows, size_t row, int k) {
+static long value_int16(const void *rows, size_t row, int k)
+{
     return ((const int16_t(*)[3])rows)[row][k];
 }
 
-static long value_uint16(const void *rows, size_t row, int k) {
+static long value_uint16(const void *rows, size_t row, int k)
+{
     return ((const uint16_t(*)[3])rows)[row][k];
 }
 
-static void write_mesh(FILE *file, const char *prefix, size_t number, const glint_mesh *mesh) {
+static void write_mesh(FILE *file, const char *prefix, size_t number, const glint_mesh *mesh)
+{
     write_rows(file, "int16_t", prefix, "positions", number, mesh->vertex_count, value_int16, mesh->positions);
     write_rows(file, "int16_t", prefix, "normals_q14", number, mesh->vertex_count, value_int16, mesh->normals_q14);
     write_rows(file, "uint16_t", prefix, "triangles", number, mesh->triangle_count, value_uint16, mesh->triangles);
@@ -73,15 +78,18 @@ static void write_mesh(FILE *file, const char *prefix, size_t number, const glin
         (unsigned)mesh->triangle_count, (int)mesh->fraction_bits);
 }
 
-static void write_colour(FILE *file, const char *indent, const char *field, const glint_colour *colour) {
+static void write_colour(FILE *file, const char *indent, const char *field, const glint_colour *colour)
+{
     fprintf(file, "%s.%s = {%d, %d, %d},\n", indent, field, colour->r_q14, colour->g_q14, colour->b_q14);
 }
 
-static void write_int32s(FILE *file, const char *indent, const char *field, const int32_t value[3]) {
+static void write_int32s(FILE *file, const char *indent, const char *field, const int32_t value[3])
+{
     fprintf(file, "%s.%s = {%ld, %ld, %ld},\n", indent, field, (long)value[0], (long)value[1], (long)value[2]);
 }
 
-static void write_material(FILE *file, const char *prefix, size_t number, const glint_material *material) {
+static void write_material(FILE *file, const char *prefix, size_t number, const glint_material *material)
+{
     fprintf(file, "static const glint_material %s_material_%zu = {\n", prefix, number);
     write_colour(file, "    ", "ambient", &material->ambient);
     write_colour(file, "    ", "diffuse", &material->diffuse);
@@ -90,7 +98,8 @@ static void write_material(FILE *file, const char *prefix, size_t number, const 
             material->specular_model == GLINT_BLINN ? "GLINT_BLINN" : "GLINT_PHONG");
 }
 
-static void write_object(FILE *file, const char *prefix, const glint_object *object, size_t mesh, size_t material) {
+static void write_object(FILE *file, const char *prefix, const glint_object *object, size_t mesh, size_t material)
+{
     const int32_t(*linear)[3] = object->place.linear_q16;
     fprintf(file, "    {\n        .mesh = &%s_mesh_%zu,\n        .material = &%s_material_%zu,\n", prefix, mesh, prefix,
             material);
@@ -108,7 +117,8 @@ typedef struct numbering {
 } numbering;
 
 /* Numbers objects by first use; `first[i]` of an object that brings a new one is its own index. */
-static bool number_objects(const glint_scene *scene, numbering *numbers) {
+static bool number_objects(const glint_scene *scene, numbering *numbers)
+{
     size_t room = scene->object_count ? scene->object_count : 1;
     numbers->meshes = calloc(room, sizeof *numbers->meshes);
     numbers->materials = calloc(room, sizeof *numbers->materials);
@@ -131,7 +141,8 @@ static bool number_objects(const glint_scene *scene, numbering *numbers) {
     return true;
 }
 
-static void write_objects(FILE *file, const glint_scene *scene, const char *prefix, const numbering *numbers) {
+static void write_objects(FILE *file, const glint_scene *scene, const char *prefix, const numbering *numbers)
+{
     for (size_t i = 0; i < scene->object_count; i++) {
         if (numbers->materials[i] == i) {
             write_material(file, prefix, i, scene->objects[i].material);
@@ -149,7 +160,8 @@ static void write_objects(FILE *file, const glint_scene *scene, const char *pref
     fputs("};\n\n", file);
 }
 
-static void write_lights(FILE *file, const glint_scene *scene, const char *prefix) {
+static void write_lights(FILE *file, const glint_scene *scene, const char *prefix)
+{
     fprintf(file, "static const glint_light %s_lights[%u] = {\n", prefix, (unsigned)scene->light_count);
     for (size_t i = 0; i < scene->light_count; i++) {
         const glint_light *light = &scene->lights[i];
@@ -168,7 +180,8 @@ static void write_lights(FILE *file, const glint_scene *scene, const char *prefi
     fputs("};\n\n", file);
 }
 
-static void write_camera(FILE *file, const glint_camera *camera, const char *prefix) {
+static void write_camera(FILE *file, const glint_camera *camera, const char *prefix)
+{
     fprintf(file, "static const glint_camera %s_camera = {\n", prefix);
     write_int32s(file, "    ", "eye_q16", camera->eye_q16);
     write_int32s(file, "    ", "target_q16", camera->target_q16);
@@ -177,7 +190,8 @@ static void write_camera(FILE *file, const glint_camera *camera, const char *pre
             (long)camera->near_q16);
 }
 
-int import_write_c(FILE *file, const glint_scene *scene, const char *prefix, const char *command, const char *header) {
+int import_write_c(FILE *file, const glint_scene *scene, const char *prefix, const char *command, const char *header)
+{
     numbering numbers;
     bool numbered = number_objects(scene, &numbers);
     if (numbered) {
@@ -212,7 +226,8 @@ int import_write_c(FILE *file, const glint_scene *scene, const char *prefix, con
     return numbered && fflush(file) == 0 && !ferror(file) ? 0 : -1;
 }
 
-int import_write_header(FILE *file, const char *prefix, const char *command) {
+int import_write_header(FILE *file, const char *prefix, const char *command)
+{
     write_comment(file, command);
     fprintf(file,
             "/* Generated: declares a scene for <glint/scene.h>. */\n#ifndef %s_SCENE_H\n#define %s_SCENE_H\n\n"

@@ -32,7 +32,8 @@ static const command commands[] = {
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
-static int usage(void) {
+static int usage(void)
+{
     fprintf(stderr,
             "usage: generate-mesh SHAPE [NUMBER...] NAME > NAME.c, where NAME is a C identifier and SHAPE one of\n");
     for (int c = 0; c < COMMAND_COUNT; c++) {
@@ -46,7 +47,8 @@ static int usage(void) {
 }
 
 /* Returns 0 and the value, or 2 with a message. */
-static int read_number(const char *text, const number *expected, int *value) {
+static int read_number(const char *text, const number *expected, int *value)
+{
     char *end;
     errno = 0;
     long n = strtol(text, &end, 10);
@@ -60,7 +62,8 @@ static int read_number(const char *text, const number *expected, int *value) {
     return 0;
 }
 
-static int is_identifier(const char *text) {
+static int is_identifier(const char *text)
+{
     if (!isalpha((unsigned char)text[0]) && text[0] != '_') {
         return 0;
     }
@@ -72,11 +75,13 @@ static int is_identifier(const char *text) {
     return 1;
 }
 
-static int common_divisor(int a, int b) {
+static int common_divisor(int a, int b)
+{
     return b == 0 ? a : common_divisor(b, a % b);
 }
 
-static int make(const command *c, const int numbers[4], shape *mesh) {
+static int make(const command *c, const int numbers[4], shape *mesh)
+{
     if (strcmp(c->name, "sphere") == 0) {
         shape_sphere(mesh, numbers[0], numbers[1]);
     } else if (strcmp(c->name, "teapot") == 0) {
@@ -96,7 +101,8 @@ static int make(const command *c, const int numbers[4], shape *mesh) {
     return 0;
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char **argv)
+{
     const command *c = NULL;
     for (int n = 0; n < COMMAND_COUNT && argc > 1; n++) {
         if (strcmp(argv[1], commands[n].name) == 0) {

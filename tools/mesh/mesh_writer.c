@@ -30,14 +30,16 @@ typedef struct built {
 } built;
 
 /* Accurate for small angles, where the arc cosine is not. */
-static double degrees_between(const double a[3], const double b[3]) {
+static double degrees_between(const double a[3], const double b[3])
+{
     double cross[3];
     shape_cross(a, b, cross);
     return atan2(sqrt(shape_dot(cross, cross)), shape_dot(a, b)) * degrees_per_radian;
 }
 
 /* The greatest shift at which every coordinate, rounded, fits int16. */
-static int choose_fraction_bits(const shape *mesh) {
+static int choose_fraction_bits(const shape *mesh)
+{
     double greatest = 0.0;
     for (size_t v = 0; v < mesh->point_count; v++) {
         for (int k = 0; k < 3; k++) {
@@ -56,11 +58,13 @@ static int choose_fraction_bits(const shape *mesh) {
  * precision (the two sides of a mirror plane, the mathematics library of another system) rounds to the same: the value
  * is first rounded to 2^-20 of a unit.
  */
-static int16_t rounded(double value, int bits) {
+static int16_t rounded(double value, int bits)
+{
     return (int16_t)lround(ldexp(round(ldexp(value, bits + 20)), -20));
 }
 
-static quantised quantise(const shape_point *point, built *mesh) {
+static quantised quantise(const shape_point *point, built *mesh)
+{
     quantised q;
     double off[3], back[3];
     for (int k = 0; k < 3; k++) {
@@ -75,7 +79,8 @@ static quantised quantise(const shape_point *point, built *mesh) {
 }
 
 /* Fills `vertices` and, for each point of the shape, the vertex that it became. Quadratic; meshes here are small. */
-static void weld(const shape *from, built *mesh, uint32_t *vertex_of, uint32_t *first_point) {
+static void weld(const shape *from, built *mesh, uint32_t *vertex_of, uint32_t *first_point)
+{
     for (size_t p = 0; p < from->point_count; p++) {
         quantised q = quantise(&from->points[p], mesh);
         size_t v = 0;
@@ -100,7 +105,8 @@ static void weld(const shape *from, built *mesh, uint32_t *vertex_of, uint32_t *
 }
 
 /* Twice the area vector of a triangle of quantised vertices; exact in int64_t: each term is below 2^34. */
-static void area_vector(const built *mesh, const uint32_t t[3], double out[3]) {
+static void area_vector(const built *mesh, const uint32_t t[3], double out[3])
+{
     int64_t e[2][3];
     for (int k = 0; k < 3; k++) {
         e[0][k] = (int64_t)mesh->vertices[t[1]].position[k] - mesh->vertices[t[0]].position[k];
@@ -113,7 +119,8 @@ static void area_vector(const built *mesh, const uint32_t t[3], double out[3]) {
 }
 
 /* Takes over the triangles that still have three vertices. Returns 0, or 1 with a message. */
-static int take_triangles(const shape *from, built *mesh, const uint32_t *vertex_of) {
+static int take_triangles(const shape *from, built *mesh, const uint32_t *vertex_of)
+{
     for (size_t n = 0; n < from->triangle_count; n++) {
         uint32_t t[3];
         for (int k = 0; k < 3; k++) {
@@ -149,7 +156,8 @@ static int take_triangles(const shape *from, built *mesh, const uint32_t *vertex
 }
 
 static void print_int16s(FILE *out, const char *name, const char *what, const quantised *vertices, size_t count,
-                         size_t offset) {
+                         size_t offset)
+{
     fprintf(out, "\nstatic const int16_t %s_%s[][3] GLINT_FLASH = {\n", name, what);
     for (size_t v = 0; v < count; v++) {
         int16_t x[3];
@@ -160,7 +168,8 @@ static void print_int16s(FILE *out, const char *name, const char *what, const qu
     fprintf(out, "};\n");
 }
 
-static void print_source(FILE *out, const built *mesh, const char *name, const char *command) {
+static void print_source(FILE *out, const built *mesh, const char *name, const char *command)
+{
     fprintf(out, "/* SPDX-License-Identifier: MIT */ /* made by: %s */\n", command);
     fprintf(out,
             "/*\n * %zu vertices, %zu triangles. Worst quantisation error: positions %.2e model units, normals %.4f "
@@ -181,7 +190,14 @@ static void print_source(FILE *out, const built *mesh, const char *name, const c
             mesh->vertex_count, mesh->triangle_count, mesh->fraction_bits);
 }
 
-int mesh_write(FILE *out, const shape *from, const char *name, const char *command) {
+int mesh_write(FILE *out, const shape *from, const char *name, const char *command)
+{
+    /* the writer drops far fewer triangles than half (those at poles), and welding this many would take minutes */
+    if (from->triangle_count > 2 * (size_t)UINT16_MAX) {
+        fprintf(stderr, "generate-mesh: %zu triangles, at most %d are possible; ask for fewer divisions\n",
+                from->triangle_count, UINT16_MAX);
+        return 1;
+    }
     built mesh = {0};
     uint32_t *vertex_of = calloc(from->point_count, sizeof *vertex_of);
     uint32_t *first_point = calloc(from->point_count, sizeof *first_point);

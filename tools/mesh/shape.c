@@ -9,7 +9,8 @@
 #include <stdlib.h>
 
 /* Room for `more` further elements; ends the program when there is no memory, which leaves nothing to clean up. */
-static void *grown(void *array, size_t element, size_t count, size_t more, size_t *room) {
+static void *grown(void *array, size_t element, size_t count, size_t more, size_t *room)
+{
     if (count + more <= *room) {
         return array;
     }
@@ -23,7 +24,8 @@ static void *grown(void *array, size_t element, size_t count, size_t more, size_
     return larger;
 }
 
-double shape_normalise(double v[3]) {
+double shape_normalise(double v[3])
+{
     double length = sqrt(shape_dot(v, v));
     if (length > 0.0) {
         for (int k = 0; k < 3; k++) {
@@ -33,7 +35,8 @@ double shape_normalise(double v[3]) {
     return length;
 }
 
-void shape_add(shape *mesh, int rows, int columns, shape_surface *surface, const void *context) {
+void shape_add(shape *mesh, int rows, int columns, shape_surface *surface, const void *context)
+{
     size_t wide = (size_t)columns + 1;
     size_t points = ((size_t)rows + 1) * wide, triangles = 2 * (size_t)rows * (size_t)columns;
     mesh->points = grown(mesh->points, sizeof *mesh->points, mesh->point_count, points, &mesh->point_room);
@@ -61,7 +64,8 @@ void shape_add(shape *mesh, int rows, int columns, shape_surface *surface, const
     }
 }
 
-void shape_free(shape *mesh) {
+void shape_free(shape *mesh)
+{
     free(mesh->points);
     free(mesh->triangles);
     *mesh = (shape){0};

@@ -9,7 +9,8 @@ typedef struct face {
     double sign; /* of the normal along that axis */
 } face;
 
-static shape_point face_point(const void *context, int i, int j) {
+static shape_point face_point(const void *context, int i, int j)
+{
     const face *f = context;
     /* with axes (axis, next, next but one) right-handed, rows along the next and columns along the one after face +axis
      */
@@ -21,7 +22,8 @@ static shape_point face_point(const void *context, int i, int j) {
     return point;
 }
 
-void shape_box(shape *mesh) {
+void shape_box(shape *mesh)
+{
     for (int n = 0; n < 6; n++) {
         face f = {n / 2, n % 2 ? -1.0 : 1.0};
         shape_add(mesh, 1, 1, face_point, &f);

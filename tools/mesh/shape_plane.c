@@ -5,12 +5,14 @@
  */
 #include "shape.h"
 
-static shape_point plane_point(const void *context, int i, int j) {
+static shape_point plane_point(const void *context, int i, int j)
+{
     const int *cells = context;
     shape_point point = {{2.0 * j / *cells - 1.0, 0.0, 2.0 * i / *cells - 1.0}, {0.0, 1.0, 0.0}};
     return point;
 }
 
-void shape_plane(shape *mesh, int cells) {
+void shape_plane(shape *mesh, int cells)
+{
     shape_add(mesh, cells, cells, plane_point, &cells);
 }

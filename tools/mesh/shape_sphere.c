@@ -14,7 +14,8 @@ typedef struct sphere {
     int sectors, stacks;
 } sphere;
 
-static shape_point sphere_point(const void *context, int i, int j) {
+static shape_point sphere_point(const void *context, int i, int j)
+{
     const sphere *s = context;
     double latitude = pi * i / s->stacks;                      /* from the north pole */
     double longitude = 2 * pi * (j % s->sectors) / s->sectors; /* from +z towards +x */
@@ -27,7 +28,8 @@ static shape_point sphere_point(const void *context, int i, int j) {
     return point;
 }
 
-void shape_sphere(shape *mesh, int sectors, int stacks) {
+void shape_sphere(shape *mesh, int sectors, int stacks)
+{
     sphere s = {sectors, stacks};
     shape_add(mesh, stacks, sectors, sphere_point, &s);
 }

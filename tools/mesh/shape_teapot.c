@@ -30,7 +30,8 @@ typedef struct patch {
 /* Segments of a profile or a tube that bend more or less than the rest: rows of the grid for D divisions. */
 typedef enum density { NORMAL, HALF, FINE, SINGLE } density;
 
-static int rows_of(density d, int divisions) {
+static int rows_of(density d, int divisions)
+{
     switch (d) {
     case HALF:
         return (divisions + 1) / 2;
@@ -81,7 +82,8 @@ static const ring spout[] = {{1.7, 1.425, 1.7, 0.6, 0.66},       {2.6, 1.425, 3.
                              {2.8, 2.4, 3.2, 2.4, 0.15}};
 
 /* Values of the four Bernstein polynomials at t, and their derivatives. */
-static void bernstein(double t, double value[4], double slope[4]) {
+static void bernstein(double t, double value[4], double slope[4])
+{
     double s = 1.0 - t;
     value[0] = s * s * s;
     value[1] = 3 * s * s * t;
@@ -93,7 +95,8 @@ static void bernstein(double t, double value[4], double slope[4]) {
     slope[3] = 3 * t * t;
 }
 
-static void tensor(const patch *p, const double u[4], const double v[4], double out[3]) {
+static void tensor(const patch *p, const double u[4], const double v[4], double out[3])
+{
     out[0] = out[1] = out[2] = 0.0;
     for (int i = 0; i < 4; i++) {
         for (int j = 0; j < 4; j++) {
@@ -104,7 +107,8 @@ static void tensor(const patch *p, const double u[4], const double v[4], double 
     }
 }
 
-static shape_point patch_point(const void *context, int i, int j) {
+static shape_point patch_point(const void *context, int i, int j)
+{
     const patch *p = context;
     double u[4], v[4], du[4], dv[4];
     bernstein((double)i / p->rows, u, du);
@@ -129,8 +133,8 @@ static shape_point patch_point(const void *context, int i, int j) {
 }
 
 /* Rows down the profile, columns counter-clockwise seen from above: their cross product points outwards. */
-static void add_revolution(shape *mesh, const profile_point *profile, const density *rows, int segments,
-                           int divisions) {
+static void add_revolution(shape *mesh, const profile_point *profile, const density *rows, int segments, int divisions)
+{
     static const double quarter[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     for (int segment = 0; segment < segments; segment++) {
         for (int turn = 0; turn < 4; turn++) {
@@ -154,7 +158,8 @@ static void add_revolution(shape *mesh, const profile_point *profile, const dens
 }
 
 /* Rows along the tube, columns from the first to the second point over +y and back over -y: outwards for both tubes. */
-static void add_tube(shape *mesh, const ring *rings, const density *rows, int segments, int divisions) {
+static void add_tube(shape *mesh, const ring *rings, const density *rows, int segments, int divisions)
+{
     for (int segment = 0; segment < segments; segment++) {
         for (int back = 0; back < 2; back++) {
             patch p;
@@ -175,7 +180,8 @@ static void add_tube(shape *mesh, const ring *rings, const density *rows, int se
     }
 }
 
-void shape_teapot(shape *mesh, int divisions) {
+void shape_teapot(shape *mesh, int divisions)
+{
     add_revolution(mesh, body, body_rows, 4, divisions);
     add_revolution(mesh, lid, lid_rows, 2, divisions);
     add_revolution(mesh, ledge, ledge_rows, 1, divisions);

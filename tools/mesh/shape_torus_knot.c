@@ -20,7 +20,8 @@ typedef struct knot {
     int p, q, segments, sides;
 } knot;
 
-static shape_point knot_point(const void *context, int i, int j) {
+static shape_point knot_point(const void *context, int i, int j)
+{
     const knot *k = context;
     double t = 2 * pi * (j % k->segments) / k->segments;
     double around = 2 * pi * (i % k->sides) / k->sides;
@@ -42,7 +43,8 @@ static shape_point knot_point(const void *context, int i, int j) {
     return point;
 }
 
-void shape_torus_knot(shape *mesh, int p, int q, int segments, int sides) {
+void shape_torus_knot(shape *mesh, int p, int q, int segments, int sides)
+{
     knot k = {p, q, segments, sides};
     shape_add(mesh, sides, segments, knot_point, &k);
 }

@@ -3,9 +3,6 @@
  * Pictures in files; the contract stands in picture.h. The Netpbm reader is strict where a lenient one would show a
  * damaged file as a picture: a short file, bytes after the picture and any maxval but 255 are errors.
  */
-#ifndef _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L /* stat(): whether an output is an ordinary file */
-#endif
 #include "picture.h"
 
 #include <errno.h>
@@ -23,7 +20,8 @@
 __attribute__((format(printf, 3, 4)))
 #endif
 static int
-fail(char *error, size_t error_bytes, const char *format, ...) {
+fail(char *error, size_t error_bytes, const char *format, ...)
+{
     va_list arguments;
     va_start(arguments, format);
     if (error_bytes > 0) {
@@ -33,7 +31,8 @@ fail(char *error, size_t error_bytes, const char *format, ...) {
     return -1;
 }
 
-int picture_has_png(void) {
+int picture_has_png(void)
+{
 #ifdef GLINT_HAVE_PNG
     return 1;
 #else
@@ -41,7 +40,8 @@ int picture_has_png(void) {
 #endif
 }
 
-int picture_create(picture *out, int width, int height, char *error, size_t error_bytes) {
+int picture_create(picture *out, int width, int height, char *error, size_t error_bytes)
+{
     memset(out, 0, sizeof *out);
     if (width < 1 || height < 1 || width > PICTURE_MAX_SIZE_PX || height > PICTURE_MAX_SIZE_PX) {
         return fail(error, error_bytes, "a picture of %d x %d px: 1 to %d was expected for width and height", width,
@@ -56,12 +56,14 @@ int picture_create(picture *out, int width, int height, char *error, size_t erro
     return 0;
 }
 
-void picture_free(picture *p) {
+void picture_free(picture *p)
+{
     free(p->rgb);
     memset(p, 0, sizeof *p);
 }
 
-static int is_png_name(const char *path) {
+static int is_png_name(const char *path)
+{
     size_t l = strlen(path);
     const char *ending = ".png";
     if (l < 4) {
@@ -81,7 +83,8 @@ static int is_png_name(const char *path) {
 
 /* Reads a number of a Netpbm header, after white space and comments, and the one character behind it. Returns -1 where
  * there is no number, and stops at a figure that is beyond any use. */
-static long read_number(FILE *file) {
+static long read_number(FILE *file)
+{
     long value = -1;
     int c = getc(file);
     while (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '#') {
@@ -103,7 +106,8 @@ static long read_number(FILE *file) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r' ? value : -1;
 }
 
-static int read_netpbm(FILE *file, const char *path, picture *out, char *error, size_t error_bytes) {
+static int read_netpbm(FILE *file, const char *path, picture *out, char *error, size_t error_bytes)
+{
     char magic[2] = {0, 0};
     size_t channels, pixels;
     if (fread(magic, 1, 2, file) != 2 || magic[0] != 'P' || (magic[1] != '6' && magic[1] != '5')) {
@@ -141,14 +145,16 @@ static int read_netpbm(FILE *file, const char *path, picture *out, char *error, 
     return 0;
 }
 
-static int write_netpbm(FILE *file, const picture *p) {
+static int write_netpbm(FILE *file, const picture *p)
+{
     size_t bytes = (size_t)p->width * (size_t)p->height * 3;
     return fprintf(file, "P6\n%d %d\n255\n", p->width, p->height) < 0 || fwrite(p->rgb, 1, bytes, file) != bytes ? -1
                                                                                                                  : 0;
 }
 
 #ifdef GLINT_HAVE_PNG
-static int read_png(FILE *file, const char *path, picture *out, char *error, size_t error_bytes) {
+static int read_png(FILE *file, const char *path, picture *out, char *error, size_t error_bytes)
+{
     png_image image;
     png_color black = {0, 0, 0};
     memset(&image, 0, sizeof image);
@@ -172,7 +178,8 @@ static int read_png(FILE *file, const char *path, picture *out, char *error, siz
     return 0;
 }
 
-static int write_png(FILE *file, const picture *p) {
+static int write_png(FILE *file, const picture *p)
+{
     png_image image;
     memset(&image, 0, sizeof image);
     image.version = PNG_IMAGE_VERSION;
@@ -182,7 +189,8 @@ static int write_png(FILE *file, const picture *p) {
     return png_image_write_to_stdio(&image, file, 0, p->rgb, 0, NULL) ? 0 : -1;
 }
 #else
-static int no_png(const char *path, char *error, size_t error_bytes) {
+static int no_png(const char *path, char *error, size_t error_bytes)
+{
     return fail(error, error_bytes,
                 "%s: this program was built without PNG: install libpng (package libpng-dev) and build again, or name "
                 "a .ppm file",
@@ -190,7 +198,8 @@ static int no_png(const char *path, char *error, size_t error_bytes) {
 }
 #endif
 
-int picture_read(const char *path, picture *out, char *error, size_t error_bytes) {
+int picture_read(const char *path, picture *out, char *error, size_t error_bytes)
+{
     int status = -1;
     memset(out, 0, sizeof *out);
 #ifndef GLINT_HAVE_PNG
@@ -216,7 +225,8 @@ int picture_read(const char *path, picture *out, char *error, size_t error_bytes
     return status;
 }
 
-static int write_stream(FILE *file, const char *path, const picture *p) {
+static int write_stream(FILE *file, const char *path, const picture *p)
+{
 #ifdef GLINT_HAVE_PNG
     if (is_png_name(path)) {
         return write_png(file, p);
@@ -228,12 +238,14 @@ static int write_stream(FILE *file, const char *path, const picture *p) {
 }
 
 /* Whether the path is there and a rename would put an ordinary file in the place of a device or pipe. */
-static int is_special(const char *path) {
+static int is_special(const char *path)
+{
     struct stat status;
     return stat(path, &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-int picture_write(const char *path, const picture *p, char *error, size_t error_bytes) {
+int picture_write(const char *path, const picture *p, char *error, size_t error_bytes)
+{
     int special = is_special(path), status;
     char *part;
 #ifndef GLINT_HAVE_PNG
@@ -241,14 +253,12 @@ int picture_write(const char *path, const picture *p, char *error, size_t error_
         return no_png(path, error, error_bytes);
     }
 #endif
-    part = malloc(strlen(path) + sizeof ".part");
+    size_t room = strlen(path) + sizeof ".part";
+    part = malloc(room);
     if (!part) {
         return fail(error, error_bytes, "%s: no memory", path);
     }
-    strcpy(part, path);
-    if (!special) {
-        strcat(part, ".part");
-    }
+    snprintf(part, room, "%s%s", path, special ? "" : ".part");
     FILE *file = fopen(part, "wb");
     if (!file) {
         status = fail(error, error_bytes, "%s: a file that can be written was expected: %s", path, strerror(errno));
