@@ -22,7 +22,7 @@ size_tool() {
 sections() {
     awk -v key="$1" '
         /^\.(text|vectors)/ { text += $2 }
-        /^\.rodata|^\.ARM|^\.progmem/ { rodata += $2 }
+        /^\.rodata|^\.ARM\.ex|^\.progmem/ { rodata += $2 }
         /^\.data/ { data += $2 }
         /^\.bss|^\.noinit/ { bss += $2 }
         END { printf "%-40s %8d %8d %8d %8d %8d\n", key, text, rodata, data, bss, text + rodata + data }'

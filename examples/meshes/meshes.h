@@ -15,6 +15,7 @@ extern "C" {
 
 /* Unit sphere about the origin, poles on the y axis: SECTORS x STACKS. */
 extern const glint_mesh glint_mesh_sphere_10x6;  /* 100 triangles */
+extern const glint_mesh glint_mesh_sphere_24x12; /* 528 triangles */
 extern const glint_mesh glint_mesh_sphere_32x16; /* 960 triangles */
 extern const glint_mesh glint_mesh_sphere_64x32; /* 3,968 triangles */
 

@@ -8,18 +8,21 @@
 #include <stddef.h>
 #include <string.h>
 
-static uint8_t expand(unsigned value, unsigned most) {
+static uint8_t expand(unsigned value, unsigned most)
+{
     return (uint8_t)((value * 255 + most / 2) / most);
 }
 
-static void show_565(unsigned pixel, uint8_t *rgb) {
+static void show_565(unsigned pixel, uint8_t *rgb)
+{
     rgb[0] = expand(pixel >> 11 & 31, 31);
     rgb[1] = expand(pixel >> 5 & 63, 63);
     rgb[2] = expand(pixel & 31, 31);
 }
 
 /* Pixel x of a row, or pixel (x, y) of a page in GLINT_MONO_PAGES. */
-static void show_pixel(uint8_t format, const uint8_t *row, unsigned x, unsigned y, uint8_t *rgb) {
+static void show_pixel(uint8_t format, const uint8_t *row, unsigned x, unsigned y, uint8_t *rgb)
+{
     uint16_t pixel = 0;
     switch (format) {
     case GLINT_RGB888:
@@ -37,15 +40,16 @@ static void show_pixel(uint8_t format, const uint8_t *row, unsigned x, unsigned 
         memset(rgb, row[x], 3);
         break;
     case GLINT_GREY4:
-        memset(rgb, expand(row[x / 2] >> (x % 2 == 0 ? 4 : 0) & 15u, 15), 3);
+        memset(rgb, expand((unsigned)row[x / 2] >> (x % 2 == 0 ? 4 : 0) & 15, 15), 3);
         break;
     default:
-        memset(rgb, expand(row[x] >> y % 8 & 1u, 1), 3);
+        memset(rgb, expand((unsigned)row[x] >> y % 8 & 1, 1), 3);
         break;
     }
 }
 
-static void show_band(panel *p, const glint_band *band) {
+static void show_band(panel *p, const glint_band *band)
+{
     const unsigned rows_in_step = p->format == GLINT_MONO_PAGES ? 8 : 1;
     for (unsigned y = 0; y < band->height_px; y++) {
         const uint8_t *row = (const uint8_t *)band->pixels + (size_t)(y / rows_in_step) * band->stride_bytes;
@@ -56,11 +60,13 @@ static void show_band(panel *p, const glint_band *band) {
     }
 }
 
-static int fits(const panel *p, const glint_band *band) {
+static int fits(const panel *p, const glint_band *band)
+{
     return band->width_px == p->width_px && band->y_px + (uint32_t)band->height_px <= p->height_px;
 }
 
-static int take_at_once(void *context, const glint_band *band) {
+static int take_at_once(void *context, const glint_band *band)
+{
     panel *p = context;
     if (!fits(p, band)) {
         return PANEL_ERROR_BAND;
@@ -69,7 +75,8 @@ static int take_at_once(void *context, const glint_band *band) {
     return 0;
 }
 
-static void take_oldest(void *context) {
+static void take_oldest(void *context)
+{
     panel *p = context;
     if (p->pending_count > 0) {
         show_band(p, &p->pending[0]);
@@ -79,7 +86,8 @@ static void take_oldest(void *context) {
     }
 }
 
-static int take_later(void *context, const glint_band *band) {
+static int take_later(void *context, const glint_band *band)
+{
     panel *p = context;
     if (!fits(p, band) || p->pending_count == PANEL_MAX_PENDING) {
         return PANEL_ERROR_BAND;
@@ -88,7 +96,8 @@ static int take_later(void *context, const glint_band *band) {
     return 0;
 }
 
-glint_display panel_display(panel *p, uint16_t band_px, uint8_t dither, uint8_t buffer_count) {
+glint_display panel_display(panel *p, uint16_t band_px, uint8_t dither, uint8_t buffer_count)
+{
     return (glint_display){
         .width_px = p->width_px,
         .height_px = p->height_px,
@@ -103,7 +112,8 @@ glint_display panel_display(panel *p, uint16_t band_px, uint8_t dither, uint8_t 
     };
 }
 
-void panel_finish(panel *p) {
+void panel_finish(panel *p)
+{
     while (p->pending_count > 0) {
         take_oldest(p);
     }

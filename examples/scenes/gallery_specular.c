@@ -26,7 +26,7 @@ static const glint_light light = {.kind = GLINT_DIRECTIONAL, .direction = {4, -5
 static const glint_material materials[4][5] = {MATERIALS(200), MATERIALS(400), MATERIALS(600), MATERIALS(800)};
 
 #define SPHERE(row, column)                                                                                            \
-    { &glint_mesh_sphere_32x16, &materials[row][column], PLACE_AT(2420 * (column)-4840, 3480 - 2320 * (row), 0) }
+    { &glint_mesh_sphere_24x12, &materials[row][column], PLACE_AT(2420 * (column)-4840, 3480 - 2320 * (row), 0) }
 #define ROW(row) SPHERE(row, 0), SPHERE(row, 1), SPHERE(row, 2), SPHERE(row, 3), SPHERE(row, 4)
 
 static const glint_object objects[] = {ROW(0), ROW(1), ROW(2), ROW(3)};

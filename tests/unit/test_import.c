@@ -359,12 +359,75 @@ static void test_warnings(void **state)
     imported_scene_free(imported);
 }
 
+/* Copies a model with two of its texts replaced. */
+static const char *edit_model(const char *path, const char *const change[2][2])
+{
+    static char text[1 << 14];
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    text[fread(text, 1, sizeof text - 1, file)] = '\0';
+    fclose(file);
+    const char *output = scratch("edited.dae");
+    file = create(output);
+    const char *from = text;
+    for (int i = 0; i < 2; i++) {
+        const char *place = strstr(from, change[i][0]);
+        assert_non_null(place);
+        fwrite(from, 1, (size_t)(place - from), file);
+        fputs(change[i][1], file);
+        from = place + strlen(change[i][0]);
+    }
+    fputs(from, file);
+    fclose(file);
+    return output;
+}
+
+/* Lights brighter than the format holds are scaled together; an object without volume or area in space is left out. */
+static void test_bright_and_flat(void **state)
+{
+    (void)state;
+    static const char *const change[2][2] = {{"<color>1 0.5 0.25</color>", "<color>4 2 1</color>"},
+                                             {"<scale>0.01 0.01 0.01</scale>", "<scale>0.01 0.01 0</scale>"}};
+    imported_scene *imported = import_or_fail(edit_model(MODELS "tile.dae", change));
+    const glint_scene *scene = imported_scene_view(imported);
+    assert_sound(scene);
+    assert_int_equal(scene->object_count, 2);
+    assert_true(warned(imported, "node 'a': its matrix flattens the object"));
+    assert_colour(&scene->lights[0].colour, 16384, 8192, 4096);
+    assert_colour(&scene->lights[1].colour, 1024, 2048, 3072);
+    assert_colour(&scene->ambient, 2048, 4096, 6144);
+    assert_true(warned(imported, "scaled by 0.25"));
+    imported_scene_free(imported);
+
+    static const char *const infinite[2][2] = {{"<color>1 0.5 0.25</color>", "<color>1e39 2 1</color>"},
+                                               {"<translate>2 0 0</translate>", "<translate>2 0 0</translate>"}};
+    char error[1024] = "";
+    assert_int_equal(import_scene(edit_model(MODELS "tile.dae", infinite), &imported, error, sizeof error), -1);
+    assert_non_null(strstr(error, "light 'sun-node': a number is not finite"));
+
+    static const char *const lost[2][2] = {{"<color>0.5 0.25 0.125 1</color>", "<color>nan 0 0 1</color>"},
+                                           {"<translate>2 0 0</translate>", "<translate>2 0 0</translate>"}};
+    assert_int_equal(import_scene(edit_model(MODELS "tile.dae", lost), &imported, error, sizeof error), -1);
+    assert_non_null(strstr(error, "material 'gloss': the diffuse reflectance is not finite"));
+
+    static const char *const away[2][2] = {{"<translate>2 0 0</translate>", "<translate>inf 0 0</translate>"},
+                                           {"<translate>0 1 0</translate>", "<translate>0 1 0</translate>"}};
+    assert_int_equal(import_scene(edit_model(MODELS "tile.dae", away), &imported, error, sizeof error), -1);
+    assert_non_null(strstr(error, "node 'b': its matrix is not finite"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_obj),       cmocka_unit_test(test_made_normals),    cmocka_unit_test(test_gltf),
-        cmocka_unit_test(test_collada),   cmocka_unit_test(test_gltf_containers), cmocka_unit_test(test_broken_files),
-        cmocka_unit_test(test_cut_files), cmocka_unit_test(test_warnings),
+        cmocka_unit_test(test_obj),
+        cmocka_unit_test(test_made_normals),
+        cmocka_unit_test(test_gltf),
+        cmocka_unit_test(test_collada),
+        cmocka_unit_test(test_gltf_containers),
+        cmocka_unit_test(test_broken_files),
+        cmocka_unit_test(test_cut_files),
+        cmocka_unit_test(test_warnings),
+        cmocka_unit_test(test_bright_and_flat),
     };
     return cmocka_run_group_tests(tests, make_folder, NULL);
 }

@@ -29,6 +29,7 @@ typedef struct expected {
 /* The teapot's open ends: both ends of the handle and of the spout, each a ring of 2 * divisions edges. */
 static const expected meshes[] = {
     {"sphere_10x6", &glint_mesh_sphere_10x6, 100, 0},
+    {"sphere_24x12", &glint_mesh_sphere_24x12, 528, 0},
     {"sphere_32x16", &glint_mesh_sphere_32x16, 960, 0},
     {"sphere_64x32", &glint_mesh_sphere_64x32, 3968, 0},
     {"torus_knot", &glint_mesh_torus_knot, 2304, 0},

@@ -78,9 +78,6 @@ static int gather_node(importer *import, const struct aiNode *node,
                        const matrix34 *parent) /* NOLINT(misc-no-recursion) */
 {
     const char *name = name_of(&node->mName);
-    if (!affine(&node->mTransformation)) {
-        return fail(import, "node '%s': its matrix has no last row 0 0 0 1; an affine matrix expected", name);
-    }
     matrix34 local = from_file(&node->mTransformation);
     matrix34 world = multiply(parent, &local);
     for (int i = 0; i < 3; i++) {
@@ -89,6 +86,9 @@ static int gather_node(importer *import, const struct aiNode *node,
                 return fail(import, "node '%s': its matrix is not finite; finite numbers expected", name);
             }
         }
+    }
+    if (!affine(&node->mTransformation)) {
+        return fail(import, "node '%s': its matrix has no last row 0 0 0 1; an affine matrix expected", name);
     }
     for (unsigned i = 0; i < node->mNumMeshes; i++) {
         if (node->mMeshes[i] >= import->file->mNumMeshes) {

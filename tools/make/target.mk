@@ -43,6 +43,7 @@ firmware-example: ## Compile the README's example for Cortex-M0+, link it, and l
 
 .PHONY: target-scenes
 target-scenes: $(SCENES)
+	@:
 
 # Size programs: PROCESSOR-BACKEND for each pair below.
 SIZE_PROGRAMS := m0plus-fixed m0plus-float m4f-fixed m4f-float avr-fixed

@@ -24,6 +24,7 @@ mesh() { # FILE SHAPE [NUMBER...]: the mesh's name is glint_mesh_FILE
 }
 
 mesh sphere_10x6 sphere 10 6
+mesh sphere_24x12 sphere 24 12
 mesh sphere_32x16 sphere 32 16
 mesh sphere_64x32 sphere 64 32
 mesh teapot teapot 8
