@@ -50,14 +50,16 @@ static const struct {
 };
 enum { GLYPH_COUNT = sizeof font / sizeof font[0] };
 
-static void set_pixel(picture *sheet, int x, int y, const uint8_t rgb[3]) {
+static void set_pixel(picture *sheet, int x, int y, const uint8_t rgb[3])
+{
     if (x >= 0 && y >= 0 && x < sheet->width && y < sheet->height) {
         memcpy(sheet->rgb + ((size_t)y * (size_t)sheet->width + (size_t)x) * 3, rgb, 3);
     }
 }
 
 /* A letter without glyph is drawn as the last one, the question mark. */
-static const uint8_t *glyph_of(char letter) {
+static const uint8_t *glyph_of(char letter)
+{
     const char capital = (char)toupper((unsigned char)letter);
     int i = 0;
     while (i < GLYPH_COUNT - 1 && font[i].letter != capital) {
@@ -66,7 +68,8 @@ static const uint8_t *glyph_of(char letter) {
     return font[i].rows;
 }
 
-static void draw_letter(picture *sheet, char letter, int left, int top) {
+static void draw_letter(picture *sheet, char letter, int left, int top)
+{
     const uint8_t *rows = glyph_of(letter);
     for (int y = 0; y < GLYPH_HEIGHT * LETTER_SCALE; y++) {
         for (int x = 0; x < GLYPH_WIDTH * LETTER_SCALE; x++) {
@@ -78,7 +81,8 @@ static void draw_letter(picture *sheet, char letter, int left, int top) {
 }
 
 /* The file's name without folder and ending, in the middle of the tile; cut where the tile ends. */
-static void draw_label(picture *sheet, const char *path, int left, int top, int width) {
+static void draw_label(picture *sheet, const char *path, int left, int top, int width)
+{
     const char *slash = strrchr(path, '/');
     const char *name = slash == NULL ? path : slash + 1;
     const char *dot = strrchr(name, '.');
@@ -92,7 +96,8 @@ static void draw_label(picture *sheet, const char *path, int left, int top, int 
 }
 
 /* The mean colour of a rectangle, which is within the picture and not empty. */
-static void mean_colour(const picture *from, int x0, int x1, int y0, int y1, uint8_t rgb[3]) {
+static void mean_colour(const picture *from, int x0, int x1, int y0, int y1, uint8_t rgb[3])
+{
     unsigned long sum[3] = {0, 0, 0};
     const unsigned long count = (unsigned long)(x1 - x0) * (unsigned long)(y1 - y0);
     for (int y = y0; y < y1; y++) {
@@ -109,7 +114,8 @@ static void mean_colour(const picture *from, int x0, int x1, int y0, int y1, uin
 }
 
 /* A side of a picture as it is on the sheet: the longer one is at most tile_px, and no picture grows. */
-static int shown_px(const picture *p, int side_px, int tile_px) {
+static int shown_px(const picture *p, int side_px, int tile_px)
+{
     const int longer = p->width > p->height ? p->width : p->height;
     /* side <= PICTURE_MAX_SIZE_PX = 2^14, tile <= 2^11: the product stays below 2^26 */
     const int shown = longer <= tile_px ? side_px : side_px * tile_px / longer;
@@ -117,7 +123,8 @@ static int shown_px(const picture *p, int side_px, int tile_px) {
 }
 
 /* Draws a picture in the middle of a place of tile_px x row_px. */
-static void draw_tile(picture *sheet, const picture *from, int left, int top, int tile_px, int row_px) {
+static void draw_tile(picture *sheet, const picture *from, int left, int top, int tile_px, int row_px)
+{
     const int width = shown_px(from, from->width, tile_px), height = shown_px(from, from->height, tile_px);
     left += (tile_px - width) / 2;
     top += (row_px - height) / 2;
@@ -131,7 +138,8 @@ static void draw_tile(picture *sheet, const picture *from, int left, int top, in
     }
 }
 
-static int usage(const char *wrong) {
+static int usage(const char *wrong)
+{
     fprintf(stderr,
             "contact-sheet: %s\n"
             "usage: contact-sheet -o OUT.ppm [--columns 1..%d] [--tile 16..%d] FILE...\n",
@@ -139,7 +147,8 @@ static int usage(const char *wrong) {
     return 2;
 }
 
-static int parse_number(const char *text, int least, int most, int *out) {
+static int parse_number(const char *text, int least, int most, int *out)
+{
     char *end;
     const long value = strtol(text, &end, 10);
     if (end == text || *end != '\0' || value < least || value > most) {
@@ -150,7 +159,8 @@ static int parse_number(const char *text, int least, int most, int *out) {
 }
 
 /* The height of the highest picture from `first` on, at most `columns` of them. */
-static int row_height(const picture *tiles, int count, int first, int columns, int tile_px) {
+static int row_height(const picture *tiles, int count, int first, int columns, int tile_px)
+{
     int most = 0;
     for (int i = first; i < count && i < first + columns; i++) {
         const int height = shown_px(&tiles[i], tiles[i].height, tile_px);
@@ -160,7 +170,8 @@ static int row_height(const picture *tiles, int count, int first, int columns, i
 }
 
 static int draw_sheet(const char *output, char **files, const picture *tiles, int count, int columns, int tile_px,
-                      char *error, size_t error_bytes) {
+                      char *error, size_t error_bytes)
+{
     picture sheet = {0};
     int height = GAP_PX, top = GAP_PX;
 
@@ -191,7 +202,8 @@ static int draw_sheet(const char *output, char **files, const picture *tiles, in
 
 /* columns 0: as many as make the sheet about a half wider than high. */
 static int make_sheet(const char *output, char **files, int count, int columns, int tile_px, char *error,
-                      size_t error_bytes) {
+                      size_t error_bytes)
+{
     picture *tiles = calloc((size_t)count, sizeof *tiles);
     int result = 0;
 
@@ -219,7 +231,8 @@ static int make_sheet(const char *output, char **files, int count, int columns, 
     return result;
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char **argv)
+{
     const char *output = NULL;
     int columns = 0, tile_px = DEFAULT_TILE_PX, i = 1;
 

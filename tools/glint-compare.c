@@ -37,12 +37,14 @@ typedef struct figures {
     unsigned long differing, pixels, apart;
 } figures;
 
-static int complain(const char *text, const char *what) {
+static int complain(const char *text, const char *what)
+{
     fprintf(stderr, "glint-compare: %s%s\n", text, what);
     return 2;
 }
 
-static int read_option(options *o, const char *name, const char *value) {
+static int read_option(options *o, const char *name, const char *value)
+{
     char *end = NULL;
     if (strcmp(name, "--max") == 0) {
         if (o->limit >= 0.0) {
@@ -71,7 +73,8 @@ static int read_option(options *o, const char *name, const char *value) {
     return 0;
 }
 
-static int read_arguments(options *o, int count, char **words) {
+static int read_arguments(options *o, int count, char **words)
+{
     static const char *const names[] = {"--max", "--apart", "--picture", "--amplify"};
     memset(o, 0, sizeof *o);
     o->limit = -1.0;
@@ -110,7 +113,8 @@ static int read_arguments(options *o, int count, char **words) {
     return 0;
 }
 
-static int same_size(const char *name, const picture *p, const char *first_name, const picture *first) {
+static int same_size(const char *name, const picture *p, const char *first_name, const picture *first)
+{
     if (p->width == first->width && p->height == first->height) {
         return 1;
     }
@@ -119,7 +123,8 @@ static int same_size(const char *name, const picture *p, const char *first_name,
     return 0;
 }
 
-static figures measure(const picture *a, const picture *b, const picture *mask) {
+static figures measure(const picture *a, const picture *b, const picture *mask)
+{
     figures f = {0, 0.0, 0.0, 0, 0, 0};
     size_t pixels = (size_t)a->width * (size_t)a->height;
     for (size_t i = 0; i < pixels; i++) {
@@ -142,7 +147,8 @@ static figures measure(const picture *a, const picture *b, const picture *mask) 
     return f;
 }
 
-static void print_figures(const figures *f, int with_apart) {
+static void print_figures(const figures *f, int with_apart)
+{
     double values = 3.0 * (double)f->pixels;
     printf("max=%d mean=%.4f psnr=", f->max, f->pixels > 0 ? f->sum / values : 0.0);
     if (f->square > 0.0) {
@@ -157,7 +163,8 @@ static void print_figures(const figures *f, int with_apart) {
     printf("\n");
 }
 
-static int write_difference(const options *o, const picture *a, const picture *b) {
+static int write_difference(const options *o, const picture *a, const picture *b)
+{
     picture out;
     char error[512] = "";
     long amplify = o->amplify > 0 ? o->amplify : 32;
@@ -174,7 +181,8 @@ static int write_difference(const options *o, const picture *a, const picture *b
     return status ? complain(error, "") : 0;
 }
 
-int main(int count, char **words) {
+int main(int count, char **words)
+{
     options o;
     picture a = {0, 0, NULL}, b = {0, 0, NULL}, mask = {0, 0, NULL};
     char error[512] = "";

@@ -27,12 +27,14 @@ enum { STATUS_GOOD = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
 enum { MESSAGE_BYTES = 512 };
 static const uint16_t default_width_px = 320, default_height_px = 240;
 
-static int complain(int status, const char *message) {
+static int complain(int status, const char *message)
+{
     fprintf(stderr, "glint-render: %s\n", message);
     return status;
 }
 
-static void list_scenes(void) {
+static void list_scenes(void)
+{
     for (unsigned i = 0; i < demo_scene_count; i++) {
         char size[16];
         (void)snprintf(size, sizeof size, "%ux%u", (unsigned)demo_scenes[i].width_px,
@@ -52,18 +54,21 @@ typedef struct loaded_scene {
     glint_object *objects;    /* the turned copy */
 } loaded_scene;
 
-static void free_scene(loaded_scene *loaded) {
+static void free_scene(loaded_scene *loaded)
+{
     imported_scene_free(loaded->imported);
     free(loaded->objects);
     *loaded = (loaded_scene){0};
 }
 
 /* A file can be told from a mistyped name by the folder or the ending in it. */
-static int looks_like_file(const char *name) {
+static int looks_like_file(const char *name)
+{
     return strpbrk(name, "/.") != NULL;
 }
 
-static int load_scene(const options *o, loaded_scene *out, char *error, size_t error_bytes) {
+static int load_scene(const options *o, loaded_scene *out, char *error, size_t error_bytes)
+{
     const demo_scene *built_in = demo_scene_named(o->scene);
     const glint_scene *scene = NULL;
 
@@ -122,7 +127,8 @@ static const struct {
 
 /* Draws with a backend of the library. *memory_bytes: in: 0, or the memory to give; out: the memory given. */
 static int draw(const options *o, const loaded_scene *loaded, uint8_t *rgb, size_t *memory_bytes, glint_report *report,
-                char *error, size_t error_bytes) {
+                char *error, size_t error_bytes)
+{
     const glint_quality quality = {.shading = o->shading};
     panel screen = {.rgb = rgb, .width_px = loaded->width_px, .height_px = loaded->height_px, .format = o->format};
     const glint_display display = panel_display(&screen, o->band_px, o->dither, o->buffer_count);
@@ -155,7 +161,8 @@ static int draw(const options *o, const loaded_scene *loaded, uint8_t *rgb, size
 
 /* Draws with the reference; opens and writes the mask of contested pixels if it is asked for. */
 static int draw_reference(const options *o, const loaded_scene *loaded, uint8_t *rgb, output *edges, char *error,
-                          size_t error_bytes) {
+                          size_t error_bytes)
+{
     reference_image image = {0};
     int result =
         reference_render(&loaded->scene, loaded->width_px, loaded->height_px, o->shading, &image, error, error_bytes);
@@ -175,7 +182,8 @@ static int draw_reference(const options *o, const loaded_scene *loaded, uint8_t 
 
 /* Draws and writes everything: all files are complete before the first is put in its place. */
 static int draw_and_write(const options *o, const loaded_scene *loaded, picture *image, output *report_file,
-                          output *edges_file, char *error, size_t error_bytes) {
+                          output *edges_file, char *error, size_t error_bytes)
+{
     glint_report report = {0};
     size_t memory_bytes = o->memory_bytes;
     int status;
@@ -204,7 +212,8 @@ static int draw_and_write(const options *o, const loaded_scene *loaded, picture 
     return STATUS_GOOD;
 }
 
-static int run(const options *o, char *error, size_t error_bytes) {
+static int run(const options *o, char *error, size_t error_bytes)
+{
     loaded_scene loaded = {0};
     picture image = {0};
     output report_file = {0}, edges_file = {0};
@@ -226,7 +235,8 @@ static int run(const options *o, char *error, size_t error_bytes) {
     return status;
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char **argv)
+{
     char message[MESSAGE_BYTES] = "";
     options o;
 

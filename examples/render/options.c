@@ -47,7 +47,8 @@ typedef struct message {
 } message;
 
 /* Always -1, so that a parser can return it. */
-static int fail(const message *m, const char *format, ...) {
+static int fail(const message *m, const char *format, ...)
+{
     va_list arguments;
     va_start(arguments, format);
     (void)vsnprintf(m->text, m->bytes, format, arguments);
@@ -72,7 +73,8 @@ static const word format_words[] = {{"rgb888", GLINT_RGB888}, {"rgb565", GLINT_R
                                     {"gray4", GLINT_GREY4},   {"mono", GLINT_MONO_PAGES}, {NULL, 0}};
 static const word dither_words[] = {{"none", GLINT_DITHER_NONE}, {"bayer", GLINT_DITHER_BAYER}, {NULL, 0}};
 
-static const char *word_of(const word *words, int value) {
+static const char *word_of(const word *words, int value)
+{
     for (; words->text != NULL; words++) {
         if (words->value == value) {
             return words->text;
@@ -81,23 +83,28 @@ static const char *word_of(const word *words, int value) {
     return "unknown";
 }
 
-const char *options_backend_word(int backend) {
+const char *options_backend_word(int backend)
+{
     return word_of(backend_words, backend);
 }
 
-const char *options_shading_word(uint8_t shading) {
+const char *options_shading_word(uint8_t shading)
+{
     return word_of(shading_words, shading);
 }
 
-const char *options_format_word(uint8_t format) {
+const char *options_format_word(uint8_t format)
+{
     return word_of(format_words, format);
 }
 
-const char *options_dither_word(uint8_t dither) {
+const char *options_dither_word(uint8_t dither)
+{
     return word_of(dither_words, dither);
 }
 
-static int parse_word(const word *words, const char *option, const char *text, uint8_t *out, const message *m) {
+static int parse_word(const word *words, const char *option, const char *text, uint8_t *out, const message *m)
+{
     char expected[128] = "";
     for (const word *w = words; w->text != NULL; w++) {
         if (strcmp(w->text, text) == 0) {
@@ -114,7 +121,8 @@ static int parse_word(const word *words, const char *option, const char *text, u
  */
 
 /* Reads decimal digits at *text and moves past them. Returns false when there are none or the value is above `most`. */
-static bool read_number(const char **text, unsigned long most, unsigned long *out) {
+static bool read_number(const char **text, unsigned long most, unsigned long *out)
+{
     char *end;
     if (**text < '0' || **text > '9') {
         return false; /* strtoul() would take a sign or a space */
@@ -126,7 +134,8 @@ static bool read_number(const char **text, unsigned long most, unsigned long *ou
 }
 
 static int parse_number(const char *option, const char *text, unsigned long least, unsigned long most,
-                        unsigned long *out, const message *m) {
+                        unsigned long *out, const message *m)
+{
     const char *at = text;
     if (!read_number(&at, most, out) || *at != '\0' || *out < least) {
         return fail(m, "%s %s: expected a whole number, %lu..%lu", option, text, least, most);
@@ -134,7 +143,8 @@ static int parse_number(const char *option, const char *text, unsigned long leas
     return 0;
 }
 
-static int parse_size(const char *option, const char *text, options *o, const message *m) {
+static int parse_size(const char *option, const char *text, options *o, const message *m)
+{
     const char *at = text;
     unsigned long width = 0, height = 0;
     const bool good = read_number(&at, GLINT_MAX_SIZE_PX, &width) && *at++ == 'x' &&
@@ -149,7 +159,8 @@ static int parse_size(const char *option, const char *text, options *o, const me
 
 #define MAX_TURN_DEGREES 1e6
 
-static int parse_turn(const char *option, const char *text, options *o, const message *m) {
+static int parse_turn(const char *option, const char *text, options *o, const message *m)
+{
     char *end;
     const double degrees = strtod(text, &end);
     if (end == text || *end != '\0' || !(fabs(degrees) <= MAX_TURN_DEGREES)) {
@@ -162,7 +173,8 @@ static int parse_turn(const char *option, const char *text, options *o, const me
 }
 
 /* Whether the name of a file has an ending, and another than those of a list that NULL ends. */
-static bool has_other_ending(const char *path, const char *const *endings) {
+static bool has_other_ending(const char *path, const char *const *endings)
+{
     const char *slash = strrchr(path, '/');
     const char *dot = strrchr(slash == NULL ? path : slash, '.');
     if (dot == NULL) {
@@ -177,7 +189,8 @@ static bool has_other_ending(const char *path, const char *const *endings) {
 }
 
 static int parse_path(const char *option, const char *text, const char *const *endings, const char *expected,
-                      const char **out, const message *m) {
+                      const char **out, const message *m)
+{
     if (*text == '\0' || has_other_ending(text, endings)) {
         return fail(m, "%s %s: expected a file name that ends in %s", option, text, expected);
     }
@@ -227,7 +240,8 @@ static const struct {
 
 #define MAX_MEMORY_BYTES 0x40000000ul
 
-static int parse_option(int option, const char *value, options *o, const message *m) {
+static int parse_option(int option, const char *value, options *o, const message *m)
+{
     static const char *const picture_endings[] = {".ppm", ".png", NULL};
     static const char *const report_endings[] = {".json", NULL};
     static const char *const edges_endings[] = {".pgm", NULL};
@@ -278,7 +292,8 @@ static int parse_option(int option, const char *value, options *o, const message
     }
 }
 
-static int find_option(const char *argument) {
+static int find_option(const char *argument)
+{
     int option = 0;
     while (option < OPTION_COUNT && strcmp(option_table[option].name, argument) != 0) {
         option++;
@@ -287,7 +302,8 @@ static int find_option(const char *argument) {
 }
 
 /* given: which options were on the command line. */
-static int check_together(const options *o, const bool *given, const message *m) {
+static int check_together(const options *o, const bool *given, const message *m)
+{
     static const int display_only[] = {OPTION_DITHER, OPTION_BAND, OPTION_BUFFERS, OPTION_MEMORY, OPTION_REPORT};
 
     if (o->scene == NULL) {
@@ -314,7 +330,8 @@ static int check_together(const options *o, const bool *given, const message *m)
     return 0;
 }
 
-int options_parse(int count, char **arguments, options *out, char *error, size_t error_bytes) {
+int options_parse(int count, char **arguments, options *out, char *error, size_t error_bytes)
+{
     const message m = {error, error_bytes};
     bool given[OPTION_COUNT] = {false};
 
@@ -355,7 +372,8 @@ int options_parse(int count, char **arguments, options *out, char *error, size_t
     return check_together(out, given, &m);
 }
 
-int options_check_height(const options *o, uint16_t height_px, char *error, size_t error_bytes) {
+int options_check_height(const options *o, uint16_t height_px, char *error, size_t error_bytes)
+{
     const message m = {error, error_bytes};
     if (o->format == GLINT_MONO_PAGES && o->band_px < height_px && o->band_px % 8 != 0) {
         return fail(&m, "--band %u: expected a multiple of 8 with --format mono, whose bytes hold 8 rows",

@@ -10,12 +10,14 @@
 #include <string.h>
 #include <sys/stat.h>
 
-static int fail(const char *path, char *error, size_t error_bytes) {
+static int fail(const char *path, char *error, size_t error_bytes)
+{
     (void)snprintf(error, error_bytes, "cannot write %s: %s", path, strerror(errno));
     return -1;
 }
 
-int output_open(output *out, const char *path, char *error, size_t error_bytes) {
+int output_open(output *out, const char *path, char *error, size_t error_bytes)
+{
     static const char ending[] = ".part";
     struct stat status;
 
@@ -38,14 +40,16 @@ int output_open(output *out, const char *path, char *error, size_t error_bytes) 
     return 0;
 }
 
-int output_close(output *out, char *error, size_t error_bytes) {
+int output_close(output *out, char *error, size_t error_bytes)
+{
     const int bad = ferror(out->file);
     const int closed = fclose(out->file);
     out->file = NULL;
     return bad != 0 || closed != 0 ? fail(out->path, error, error_bytes) : 0;
 }
 
-int output_place(output *out, char *error, size_t error_bytes) {
+int output_place(output *out, char *error, size_t error_bytes)
+{
     if (out->part != NULL && rename(out->part, out->path) != 0) {
         return fail(out->path, error, error_bytes);
     }
@@ -54,7 +58,8 @@ int output_place(output *out, char *error, size_t error_bytes) {
     return 0;
 }
 
-void output_drop(output *out) {
+void output_drop(output *out)
+{
     if (out->file != NULL) {
         (void)fclose(out->file);
     }
@@ -65,7 +70,8 @@ void output_drop(output *out) {
     *out = (output){0};
 }
 
-static void write_string(FILE *file, const char *key, const char *text) {
+static void write_string(FILE *file, const char *key, const char *text)
+{
     fprintf(file, "  \"%s\": \"", key);
     for (; *text != '\0'; text++) {
         const unsigned char c = (unsigned char)*text;
@@ -81,7 +87,8 @@ static void write_string(FILE *file, const char *key, const char *text) {
 }
 
 void output_report(FILE *file, const options *o, uint16_t width_px, uint16_t height_px, size_t memory_bytes,
-                   const glint_report *report) {
+                   const glint_report *report)
+{
     const struct {
         const char *key;
         unsigned long value;
@@ -119,7 +126,8 @@ void output_report(FILE *file, const options *o, uint16_t width_px, uint16_t hei
     fputs("}\n", file);
 }
 
-void output_mask(FILE *file, const uint8_t *mask, int width_px, int height_px) {
+void output_mask(FILE *file, const uint8_t *mask, int width_px, int height_px)
+{
     fprintf(file, "P5\n%d %d\n255\n", width_px, height_px);
     for (size_t i = 0; i < (size_t)width_px * (size_t)height_px; i++) {
         fputc(mask[i] != 0 ? 255 : 0, file);

@@ -17,12 +17,16 @@ static const glint_light light = {.kind = GLINT_DIRECTIONAL, .direction = {6, -6
 
 /* ambient + diffuse = 900 thousandths */
 #define STEP(ambient_share)                                                                                            \
-    { .ambient = SHARE(ambient_share, 1000, 780, 480), .diffuse = SHARE(900 - (ambient_share), 1000, 780, 480) }
+    {                                                                                                                  \
+        .ambient = SHARE(ambient_share, 1000, 780, 480), .diffuse = SHARE(900 - (ambient_share), 1000, 780, 480)       \
+    }
 
 static const glint_material materials[] = {STEP(0), STEP(100), STEP(250), STEP(450), STEP(650), STEP(850)};
 
 #define SPHERE(column)                                                                                                 \
-    { &glint_mesh_sphere_24x12, &materials[column], PLACE_AT(2300 * (column)-5750, 0, 0) }
+    {                                                                                                                  \
+        &glint_mesh_sphere_24x12, &materials[column], PLACE_AT(2300 * (column)-5750, 0, 0)                             \
+    }
 
 static const glint_object objects[] = {SPHERE(0), SPHERE(1), SPHERE(2), SPHERE(3), SPHERE(4), SPHERE(5)};
 

@@ -21,12 +21,16 @@ static const glint_light light = {.kind = GLINT_DIRECTIONAL, .direction = {4, -5
         .specular = SHARE(share, 1000, 1000, 1000), .exponent_q4 = (exponent)*16                                       \
     }
 #define MATERIALS(share)                                                                                               \
-    { MATERIAL(share, 2), MATERIAL(share, 8), MATERIAL(share, 32), MATERIAL(share, 128), MATERIAL(share, 512) }
+    {                                                                                                                  \
+        MATERIAL(share, 2), MATERIAL(share, 8), MATERIAL(share, 32), MATERIAL(share, 128), MATERIAL(share, 512)        \
+    }
 
 static const glint_material materials[4][5] = {MATERIALS(200), MATERIALS(400), MATERIALS(600), MATERIALS(800)};
 
 #define SPHERE(row, column)                                                                                            \
-    { &glint_mesh_sphere_24x12, &materials[row][column], PLACE_AT(2420 * (column)-4840, 3480 - 2320 * (row), 0) }
+    {                                                                                                                  \
+        &glint_mesh_sphere_24x12, &materials[row][column], PLACE_AT(2420 * (column)-4840, 3480 - 2320 * (row), 0)      \
+    }
 #define ROW(row) SPHERE(row, 0), SPHERE(row, 1), SPHERE(row, 2), SPHERE(row, 3), SPHERE(row, 4)
 
 static const glint_object objects[] = {ROW(0), ROW(1), ROW(2), ROW(3)};

@@ -25,13 +25,20 @@
 
 /* A glint_colour, and one of `share` thousandths of that colour. */
 #define COLOUR(r, g, b)                                                                                                \
-    { Q14(r, 1000), Q14(g, 1000), Q14(b, 1000) }
+    {                                                                                                                  \
+        Q14(r, 1000), Q14(g, 1000), Q14(b, 1000)                                                                       \
+    }
 #define SHARE(share, r, g, b)                                                                                          \
-    { Q14((int32_t)(share) * (r), 1000000), Q14((int32_t)(share) * (g), 1000000), Q14((int32_t)(share) * (b), 1000000) }
+    {                                                                                                                  \
+        Q14((int32_t)(share) * (r), 1000000), Q14((int32_t)(share) * (g), 1000000),                                    \
+            Q14((int32_t)(share) * (b), 1000000)                                                                       \
+    }
 
 /* A point. */
 #define POINT(x, y, z)                                                                                                 \
-    { MILLI_Q16(x), MILLI_Q16(y), MILLI_Q16(z) }
+    {                                                                                                                  \
+        MILLI_Q16(x), MILLI_Q16(y), MILLI_Q16(z)                                                                       \
+    }
 
 /* Places: the model's axes scaled, then shifted. */
 #define PLACE_SCALED(sx, sy, sz, x, y, z)                                                                              \

@@ -14,7 +14,9 @@ static const glint_camera camera = {
 };
 
 #define MATT(r, g, b)                                                                                                  \
-    { .ambient = COLOUR(r, g, b), .diffuse = COLOUR(r, g, b) }
+    {                                                                                                                  \
+        .ambient = COLOUR(r, g, b), .diffuse = COLOUR(r, g, b)                                                         \
+    }
 #define GLOSSY(r, g, b, gloss, exponent)                                                                               \
     {                                                                                                                  \
         .ambient = COLOUR(r, g, b), .diffuse = COLOUR(r, g, b), .specular = COLOUR(gloss, gloss, gloss),               \
@@ -29,7 +31,8 @@ static const glint_material green = GLOSSY(160, 480, 220, 300, 24), blue = GLOSS
 /* Walls of 10 x 5, facing inwards: the plane's x along the wall, its y (its normal) into the room, its z downwards. */
 #define WALL(mesh_material, x0, y0, z0, x1, y1, z1, x, z)                                                              \
     {                                                                                                                  \
-        &glint_mesh_plane, &(mesh_material), {                                                                         \
+        &glint_mesh_plane, &(mesh_material),                                                                           \
+        {                                                                                                              \
             .linear_q16 = {{MILLI_Q16(5000 * (x0)), MILLI_Q16(1000 * (x1)), 0},                                        \
                            {MILLI_Q16(5000 * (y0)), MILLI_Q16(1000 * (y1)), MILLI_Q16(-2500)},                         \
                            {MILLI_Q16(5000 * (z0)), MILLI_Q16(1000 * (z1)), 0}},                                       \

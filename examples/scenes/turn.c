@@ -7,7 +7,8 @@
 #include <examples/scenes/scenes.h>
 #include <glint/place.h>
 
-static int is_zero(const glint_place *place) {
+static int is_zero(const glint_place *place)
+{
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++) {
             if (place->linear_q16[i][k] != 0) {
@@ -18,7 +19,8 @@ static int is_zero(const glint_place *place) {
     return 1;
 }
 
-int demo_scene_turn(const glint_scene *in, uint16_t angle_turn16, glint_object *objects, glint_scene *out) {
+int demo_scene_turn(const glint_scene *in, uint16_t angle_turn16, glint_object *objects, glint_scene *out)
+{
     if (in == NULL || objects == NULL || out == NULL) {
         return GLINT_ERROR_NULL_ARGUMENT;
     }

@@ -27,7 +27,8 @@ static const char *const frame_backend_name[FRAME_BACKENDS] = {"fixed", "float"}
 #define FRAME_CANARY_BYTE 0xa5
 
 typedef struct frame {
-    glint_display display; /* what the caller sets: size, band, format, dither, buffers, stride; the rest is filled in */
+    glint_display
+        display; /* what the caller sets: size, band, format, dither, buffers, stride; the rest is filled in */
     uint8_t shading;
     size_t memory_bytes; /* 0: all that the backend can make use of; 1: the least */
     /* results */

@@ -4,9 +4,9 @@
  *
  * Budgets (tests/reference/reference.h says what is plain and what contested):
  */
-#define PLAIN_CODES 1.0       /* greatest |code - 255 L| of a plain pixel, final rounding (0.5) included: exact shading */
-#define FACE_CODES 1.0        /* the same for flat and Gouraud shading */
-#define PLAIN_ABOVE 0         /* plain pixels more than 1 code from the reference's code */
+#define PLAIN_CODES 1.0 /* greatest |code - 255 L| of a plain pixel, final rounding (0.5) included: exact shading */
+#define FACE_CODES 1.0  /* the same for flat and Gouraud shading */
+#define PLAIN_ABOVE 0   /* plain pixels more than 1 code from the reference's code */
 #define CONTESTED_UNMATCHED 0 /* contested pixels that agree with no triangle that meets there */
 #define CONTESTED_SHARE 0.005 /* of the frame */
 

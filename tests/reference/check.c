@@ -10,18 +10,21 @@
 /* Candidates that are looked at in one pixel: beyond a pile of this many surfaces the rest are not tried. */
 #define CANDIDATES_MAX 64
 
-static double rounded(double level) {
+static double rounded(double level)
+{
     return floor(255.0 * level + 0.5);
 }
 
-void reference_codes(const reference_image *image, uint8_t *rgb8) {
+void reference_codes(const reference_image *image, uint8_t *rgb8)
+{
     size_t values = (size_t)image->width * (size_t)image->height * 3;
     for (size_t i = 0; i < values; i++) {
         rgb8[i] = (uint8_t)rounded(image->rgb[i]);
     }
 }
 
-void reference_mask_codes(const reference_image *image, uint8_t *rgb8) {
+void reference_mask_codes(const reference_image *image, uint8_t *rgb8)
+{
     size_t pixels = (size_t)image->width * (size_t)image->height;
     for (size_t i = 0; i < pixels; i++) {
         rgb8[i * 3] = image->mask[i] & REFERENCE_EDGE ? 255 : 0;
@@ -30,7 +33,8 @@ void reference_mask_codes(const reference_image *image, uint8_t *rgb8) {
     }
 }
 
-static bool agrees(const reference_candidate *c, const uint8_t actual[3], double slack) {
+static bool agrees(const reference_candidate *c, const uint8_t actual[3], double slack)
+{
     for (int k = 0; k < 3; k++) {
         if (actual[k] < 255.0 * c->low[k] - slack || actual[k] > 255.0 * c->high[k] + slack) {
             return false;
@@ -39,7 +43,8 @@ static bool agrees(const reference_candidate *c, const uint8_t actual[3], double
     return true;
 }
 
-static bool agrees_with_any(const reference_image *image, int x, int y, const uint8_t actual[3], double max_codes) {
+static bool agrees_with_any(const reference_image *image, int x, int y, const uint8_t actual[3], double max_codes)
+{
     reference_candidate list[CANDIDATES_MAX];
     int count = reference_candidates(image, x, y, list, CANDIDATES_MAX);
     for (int k = 0; k < count && k < CANDIDATES_MAX; k++) {
@@ -50,7 +55,8 @@ static bool agrees_with_any(const reference_image *image, int x, int y, const ui
     return false;
 }
 
-void reference_check(const reference_image *image, const uint8_t *rgb8, double max_codes, reference_verdict *v) {
+void reference_check(const reference_image *image, const uint8_t *rgb8, double max_codes, reference_verdict *v)
+{
     double sum = 0.0, square = 0.0;
     memset(v, 0, sizeof *v);
     v->worst_x = v->worst_y = v->unmatched_x = v->unmatched_y = -1;

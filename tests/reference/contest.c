@@ -11,7 +11,8 @@
 
 #include "internal.h"
 
-static int gather(reference_detail *d, int x, int y) {
+static int gather(reference_detail *d, int x, int y)
+{
     int32_t first = d->first[(size_t)y * (size_t)d->width + (size_t)x];
     int count = 0, k;
     for (int32_t m = first; m >= 0; m = d->meetings[m].next) {
@@ -30,7 +31,8 @@ static int gather(reference_detail *d, int x, int y) {
 }
 
 /* The nearest surface that is drawn at the centre; the first of equals. */
-static int find_front(const reference_detail *d, int count, double x, double y) {
+static int find_front(const reference_detail *d, int count, double x, double y)
+{
     double nearest = 0.0;
     int front = -1;
     vector ray = view_ray(d, x, y);
@@ -47,12 +49,14 @@ static int find_front(const reference_detail *d, int count, double x, double y) 
     return front;
 }
 
-static bool same_position(const int16_t a[3], const int16_t b[3]) {
+static bool same_position(const int16_t a[3], const int16_t b[3])
+{
     return memcmp(a, b, 3 * sizeof *a) == 0;
 }
 
 /* Neighbours along an edge that is near the pixel. */
-static bool joined(const reference_detail *d, const contender *a, const contender *b) {
+static bool joined(const reference_detail *d, const contender *a, const contender *b)
+{
     const triangle *t = &d->triangles[a->triangle], *u = &d->triangles[b->triangle];
     if (t->object != u->object) {
         return false;
@@ -68,7 +72,8 @@ static bool joined(const reference_detail *d, const contender *a, const contende
     return false;
 }
 
-static void join_groups(contender *c, int count, int from, int to) {
+static void join_groups(contender *c, int count, int from, int to)
+{
     for (int k = 0; k < count; k++) {
         if (c[k].group == from) {
             c[k].group = to;
@@ -76,7 +81,8 @@ static void join_groups(contender *c, int count, int from, int to) {
     }
 }
 
-static bool unsealed(const triangle *t, uint8_t near_edges) {
+static bool unsealed(const triangle *t, uint8_t near_edges)
+{
     for (int i = 0; i <= NEAR_EDGE; i++) {
         if ((near_edges >> i & 1) && !t->sealed[i]) {
             return true;
@@ -86,7 +92,8 @@ static bool unsealed(const triangle *t, uint8_t near_edges) {
 }
 
 /* Groups the contenders and finds the groups that must cover the pixel. */
-static void find_groups(const reference_detail *d, contender *c, int count) {
+static void find_groups(const reference_detail *d, contender *c, int count)
+{
     for (int a = 0; a < count; a++) {
         for (int b = a + 1; b < count && c[a].near_edges; b++) {
             if (c[b].near_edges && c[a].group != c[b].group && joined(d, &c[a], &c[b])) {
@@ -107,7 +114,8 @@ static void find_groups(const reference_detail *d, contender *c, int count) {
     }
 }
 
-static void depth_range(const reference_detail *d, contender *c, double x, double y) {
+static void depth_range(const reference_detail *d, contender *c, double x, double y)
+{
     const triangle *t = &d->triangles[c->triangle];
     corner region[MEET_REGION_MAX + 1];
     int count = meet_region(d, t, x, y, region);
@@ -121,7 +129,8 @@ static void depth_range(const reference_detail *d, contender *c, double x, doubl
     }
 }
 
-int contest(reference_detail *d, int x, int y, int *front, uint8_t *mask, bool *background) {
+int contest(reference_detail *d, int x, int y, int *front, uint8_t *mask, bool *background)
+{
     contender *c = d->contenders;
     double cx = x + 0.5, cy = y + 0.5, sure = 0.0;
     int count = gather(d, x, y), candidates = 0, must_group = -1;

@@ -10,32 +10,38 @@
 #define SUB_PX 256
 
 /* Twice the signed area of a, b, (x, y); with y down it is positive when they turn clockwise to the eye. */
-static int64_t edge_function(const int32_t a[2], const int32_t b[2], int64_t x, int64_t y) {
+static int64_t edge_function(const int32_t a[2], const int32_t b[2], int64_t x, int64_t y)
+{
     return ((int64_t)b[0] - a[0]) * (y - a[1]) - ((int64_t)b[1] - a[1]) * (x - a[0]);
 }
 
 /* Edge a-b of a triangle whose edge functions are positive inside. One step right changes the function by -(b_y - a_y),
  * one step down by b_x - a_x: so the inside is on the right of an edge that runs up, and below one that runs right. */
-static bool owns_its_points(const int32_t a[2], const int32_t b[2]) {
+static bool owns_its_points(const int32_t a[2], const int32_t b[2])
+{
     return b[1] < a[1] || (b[1] == a[1] && b[0] > a[0]);
 }
 
-static int32_t least(int32_t a, int32_t b, int32_t c) {
+static int32_t least(int32_t a, int32_t b, int32_t c)
+{
     int32_t m = a < b ? a : b;
     return m < c ? m : c;
 }
 
-static int32_t greatest(int32_t a, int32_t b, int32_t c) {
+static int32_t greatest(int32_t a, int32_t b, int32_t c)
+{
     return -least(-a, -b, -c);
 }
 
 /* The pixel that holds a coordinate, cut to -1..size. */
-static int pixel_of(int32_t coordinate, int size) {
+static int pixel_of(int32_t coordinate, int size)
+{
     int32_t pixel = coordinate >= 0 ? coordinate / SUB_PX : -1;
     return pixel > size ? size : pixel;
 }
 
-long reference_cover(const int32_t corners[3][2], int width, int height, reference_covered covered, void *context) {
+long reference_cover(const int32_t corners[3][2], int width, int height, reference_covered covered, void *context)
+{
     const int32_t *p[3] = {corners[0], corners[1], corners[2]};
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 2; k++) {

@@ -8,7 +8,8 @@
 #include "internal.h"
 
 /* The point a fraction t of the way from a to b on the screen; all that a corner carries is linear there. */
-static corner between(const corner *a, const corner *b, double t) {
+static corner between(const corner *a, const corner *b, double t)
+{
     corner c;
     c.x = (1.0 - t) * a->x + t * b->x;
     c.y = (1.0 - t) * a->y + t * b->y;
@@ -20,13 +21,15 @@ static corner between(const corner *a, const corner *b, double t) {
     return c;
 }
 
-static corner nearest_on_segment(const corner *a, const corner *b, double x, double y) {
+static corner nearest_on_segment(const corner *a, const corner *b, double x, double y)
+{
     double dx = b->x - a->x, dy = b->y - a->y, l2 = dx * dx + dy * dy;
     double t = l2 > 0.0 ? ((x - a->x) * dx + (y - a->y) * dy) / l2 : 0.0;
     return between(a, b, fmin(1.0, fmax(0.0, t)));
 }
 
-corner meet_nearest(const triangle *t, double x, double y) {
+corner meet_nearest(const triangle *t, double x, double y)
+{
     corner best = t->corners[0];
     double least = HUGE_VAL;
     for (int k = 0; k < t->corner_count; k++) {
@@ -40,12 +43,14 @@ corner meet_nearest(const triangle *t, double x, double y) {
     return best;
 }
 
-static double area(const corner *a, const corner *b, double x, double y) {
+static double area(const corner *a, const corner *b, double x, double y)
+{
     return (b->x - a->x) * (y - a->y) - (b->y - a->y) * (x - a->x);
 }
 
 /* Weights of Gouraud shading: linear within the part of the polygon's fan that holds the point. */
-static void linear_weights(const triangle *t, corner *c) {
+static void linear_weights(const triangle *t, corner *c)
+{
     double best = -HUGE_VAL;
     for (int k = 1; k + 1 < t->corner_count; k++) {
         const corner *p[3] = {&t->corners[0], &t->corners[k], &t->corners[k + 1]};
@@ -63,7 +68,8 @@ static void linear_weights(const triangle *t, corner *c) {
     }
 }
 
-corner meet_hit(const reference_detail *d, const triangle *t, double x, double y) {
+corner meet_hit(const reference_detail *d, const triangle *t, double x, double y)
+{
     vector ray = view_ray(d, x, y);
     double e[3], sum = 0.0;
     corner c;
@@ -82,7 +88,8 @@ corner meet_hit(const reference_detail *d, const triangle *t, double x, double y
 }
 
 /* One side of the square: keeps what has sign * coordinate <= limit. */
-static int cut(corner polygon[], int count, bool vertical, double sign, double limit) {
+static int cut(corner polygon[], int count, bool vertical, double sign, double limit)
+{
     corner out[MEET_REGION_MAX];
     int n = 0;
     for (int k = 0; k < count; k++) {
@@ -101,7 +108,8 @@ static int cut(corner polygon[], int count, bool vertical, double sign, double l
     return n;
 }
 
-int meet_region(const reference_detail *d, const triangle *t, double x, double y, corner region[MEET_REGION_MAX]) {
+int meet_region(const reference_detail *d, const triangle *t, double x, double y, corner region[MEET_REGION_MAX])
+{
     double e = d->options.edge_px;
     int total = 0;
     for (int k = 1; k + 1 < t->corner_count; k++) {
@@ -117,7 +125,8 @@ int meet_region(const reference_detail *d, const triangle *t, double x, double y
     return total;
 }
 
-static bool ray_inside(const reference_detail *d, const triangle *t, double x, double y) {
+static bool ray_inside(const reference_detail *d, const triangle *t, double x, double y)
+{
     vector ray = view_ray(d, x, y);
     for (int i = 0; i < 3; i++) {
         if (dot(t->edge[i], ray) < 0.0) {
@@ -129,7 +138,8 @@ static bool ray_inside(const reference_detail *d, const triangle *t, double x, d
 }
 
 /* Whether a centre is in or near the triangle; the edges within e of it. */
-static bool try_pixel(const reference_detail *d, const triangle *t, double x, double y, meeting *m) {
+static bool try_pixel(const reference_detail *d, const triangle *t, double x, double y, meeting *m)
+{
     double e = d->options.edge_px, distance[POLYGON_MAX];
     bool close = t->thin;
     for (int k = 0; k < t->corner_count; k++) {
@@ -156,7 +166,8 @@ static bool try_pixel(const reference_detail *d, const triangle *t, double x, do
     return m->inside || m->near_edges != 0;
 }
 
-static int add_meeting(reference_detail *d, size_t pixel, meeting m) {
+static int add_meeting(reference_detail *d, size_t pixel, meeting m)
+{
     if (d->meeting_count == d->meeting_room) {
         int32_t room = d->meeting_room > 0 ? d->meeting_room * 2 : 4096;
         meeting *grown = d->meeting_room <= INT32_MAX / 2 ? realloc(d->meetings, (size_t)room * sizeof *grown) : NULL;
@@ -173,12 +184,14 @@ static int add_meeting(reference_detail *d, size_t pixel, meeting m) {
 }
 
 /* First and last pixel whose centre lies within low..high, cut to the picture. */
-static void pixel_range(double low, double high, int size, int *first, int *last) {
+static void pixel_range(double low, double high, int size, int *first, int *last)
+{
     *first = (int)fmax(0.0, ceil(fmin(low, (double)size + 1.0) - 0.5));
     *last = (int)fmin((double)size - 1.0, floor(fmax(high, -1.0) - 0.5));
 }
 
-static int meet_triangle(reference_detail *d, int32_t number) {
+static int meet_triangle(reference_detail *d, int32_t number)
+{
     const triangle *t = &d->triangles[number];
     double e = d->options.edge_px, low_x = HUGE_VAL, low_y = HUGE_VAL, high_x = -HUGE_VAL, high_y = -HUGE_VAL;
     int x0, x1, y0, y1;
@@ -201,7 +214,8 @@ static int meet_triangle(reference_detail *d, int32_t number) {
     return 0;
 }
 
-int meet_all(reference_detail *d) {
+int meet_all(reference_detail *d)
+{
     size_t pixels = (size_t)d->width * (size_t)d->height;
     d->first = malloc(pixels * sizeof *d->first);
     if (!d->first) {

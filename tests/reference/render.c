@@ -8,7 +8,8 @@
 
 #include "internal.h"
 
-static void free_detail(reference_detail *d) {
+static void free_detail(reference_detail *d)
+{
     if (d) {
         free(d->triangles);
         free(d->surfaces);
@@ -20,7 +21,8 @@ static void free_detail(reference_detail *d) {
     }
 }
 
-void reference_free(reference_image *image) {
+void reference_free(reference_image *image)
+{
     free(image->rgb);
     free(image->triangle);
     free(image->depth);
@@ -29,16 +31,19 @@ void reference_free(reference_image *image) {
     memset(image, 0, sizeof *image);
 }
 
-static double option(double given, double by_default) {
+static double option(double given, double by_default)
+{
     return given == 0.0 ? by_default : fmax(given, 0.0);
 }
 
-static corner seen_at(const reference_detail *d, const contender *c, double x, double y) {
+static corner seen_at(const reference_detail *d, const contender *c, double x, double y)
+{
     const triangle *t = &d->triangles[c->triangle];
     return c->inside && t->front ? meet_hit(d, t, x, y) : meet_nearest(t, x, y);
 }
 
-static void draw_pixel(reference_image *image, int x, int y) {
+static void draw_pixel(reference_image *image, int x, int y)
+{
     reference_detail *d = image->detail;
     size_t at = (size_t)y * (size_t)image->width + (size_t)x;
     int front;
@@ -60,7 +65,8 @@ static void draw_pixel(reference_image *image, int x, int y) {
     }
 }
 
-static int fail(reference_image *image, char *error, size_t error_bytes, const char *text) {
+static int fail(reference_image *image, char *error, size_t error_bytes, const char *text)
+{
     reference_free(image);
     if (text && error_bytes > 0) {
         snprintf(error, error_bytes, "%s", text);
@@ -69,7 +75,8 @@ static int fail(reference_image *image, char *error, size_t error_bytes, const c
 }
 
 int reference_render_with(const glint_scene *scene, int width, int height, int shading,
-                          const reference_options *options, reference_image *out, char *error, size_t error_bytes) {
+                          const reference_options *options, reference_image *out, char *error, size_t error_bytes)
+{
     memset(out, 0, sizeof *out);
     if (width < 1 || height < 1 || width > GLINT_MAX_SIZE_PX || height > GLINT_MAX_SIZE_PX) {
         return fail(out, error, error_bytes, "a width and height from 1 to GLINT_MAX_SIZE_PX were expected");
@@ -114,11 +121,13 @@ int reference_render_with(const glint_scene *scene, int width, int height, int s
 }
 
 int reference_render(const glint_scene *scene, int width, int height, int shading, reference_image *out, char *error,
-                     size_t error_bytes) {
+                     size_t error_bytes)
+{
     return reference_render_with(scene, width, height, shading, NULL, out, error, error_bytes);
 }
 
-static void widen(reference_candidate *c, const double rgb[3]) {
+static void widen(reference_candidate *c, const double rgb[3])
+{
     for (int k = 0; k < 3; k++) {
         c->low[k] = fmin(c->low[k], rgb[k]);
         c->high[k] = fmax(c->high[k], rgb[k]);
@@ -127,7 +136,8 @@ static void widen(reference_candidate *c, const double rgb[3]) {
 
 /* All variants of one triangle at a pixel. */
 static int triangle_candidates(const reference_detail *d, const contender *c, int x, int y, reference_candidate *out,
-                               int count, int max) {
+                               int count, int max)
+{
     const triangle *t = &d->triangles[c->triangle];
     corner region[MEET_REGION_MAX + 1], anchor = seen_at(d, c, x + 0.5, y + 0.5);
     int points = meet_region(d, t, x + 0.5, y + 0.5, region), variants = shade_variants(d, t, &anchor);
@@ -146,7 +156,8 @@ static int triangle_candidates(const reference_detail *d, const contender *c, in
     return count;
 }
 
-int reference_candidates(const reference_image *image, int x, int y, reference_candidate *out, int max) {
+int reference_candidates(const reference_image *image, int x, int y, reference_candidate *out, int max)
+{
     reference_detail *d = image->detail;
     int front, count = 0;
     uint8_t mask;

@@ -14,7 +14,8 @@ typedef struct directed_edge {
     int16_t from[3], to[3];
 } directed_edge;
 
-static int compare_edges(const void *a, const void *b) {
+static int compare_edges(const void *a, const void *b)
+{
     const directed_edge *p = a, *q = b;
     if (p->object != q->object) {
         return p->object < q->object ? -1 : 1;
@@ -23,7 +24,8 @@ static int compare_edges(const void *a, const void *b) {
     return order != 0 ? order : memcmp(p->to, q->to, sizeof p->to);
 }
 
-static directed_edge edge_of(const triangle *t, int from, int to) {
+static directed_edge edge_of(const triangle *t, int from, int to)
+{
     directed_edge e;
     memset(&e, 0, sizeof e);
     e.object = t->object;
@@ -32,7 +34,8 @@ static directed_edge edge_of(const triangle *t, int from, int to) {
     return e;
 }
 
-int seal_edges(reference_detail *d) {
+int seal_edges(reference_detail *d)
+{
     size_t count = 0;
     directed_edge *edges = malloc(((size_t)d->triangle_count * 3 + 1) * sizeof *edges);
     if (!edges) {

@@ -6,18 +6,21 @@
 
 #include "internal.h"
 
-static double clamp01(double v) {
+static double clamp01(double v)
+{
     return v < 0.0 ? 0.0 : v > 1.0 ? 1.0 : v;
 }
 
 /* s at the point; false where the light stands on it. */
-static bool toward_lamp(const lamp *l, vector point, vector *s) {
+static bool toward_lamp(const lamp *l, vector point, vector *s)
+{
     *s = l->is_point ? unit(minus(l->position, point)) : l->toward;
     return length(*s) > 0.0;
 }
 
 /* max(0, r.c)^alpha, or with Blinn's h. */
-static double highlight(const surface *f, vector n, vector s, vector c) {
+static double highlight(const surface *f, vector n, vector s, vector c)
+{
     double cosine;
     if (f->blinn) {
         vector h = plus(s, c);
@@ -32,7 +35,8 @@ static double highlight(const surface *f, vector n, vector s, vector c) {
 }
 
 void shade_point(const reference_detail *d, const surface *f, vector point, vector normal, const int *lights, int count,
-                 unsigned on, double rgb[3]) {
+                 unsigned on, double rgb[3])
+{
     vector c = unit(minus(d->eye, point));
     if (length(normal) == 0.0) {
         normal = c;
@@ -62,7 +66,8 @@ void shade_point(const reference_detail *d, const surface *f, vector point, vect
 }
 
 int shade_terminators(const reference_detail *d, const surface *f, vector point, vector normal,
-                      int lights[TERMINATOR_MAX]) {
+                      int lights[TERMINATOR_MAX])
+{
     int count = 0;
     if (length(normal) == 0.0) {
         return 0;
@@ -84,16 +89,19 @@ int shade_terminators(const reference_detail *d, const surface *f, vector point,
     return count;
 }
 
-static vector blend(const double weight[3], const vector v[3]) {
+static vector blend(const double weight[3], const vector v[3])
+{
     return plus(plus(times(weight[0], v[0]), times(weight[1], v[1])), times(weight[2], v[2]));
 }
 
-static vector centroid(const triangle *t) {
+static vector centroid(const triangle *t)
+{
     return times(1.0 / 3.0, plus(plus(t->world[0], t->world[1]), t->world[2]));
 }
 
 /* Point and normal of the exact shading at a place on the screen. */
-static void exact_point(const triangle *t, const corner *where, vector *point, vector *normal) {
+static void exact_point(const triangle *t, const corner *where, vector *point, vector *normal)
+{
     double b[3], sum = 0.0;
     for (int i = 0; i < 3; i++) {
         b[i] = fmax(0.0, where->share[i]);
@@ -107,11 +115,13 @@ static void exact_point(const triangle *t, const corner *where, vector *point, v
     *normal = length(*normal) < NORMAL_LEAST ? t->face : unit(*normal);
 }
 
-static int gouraud_terminators(const reference_detail *d, const triangle *t, int i, int lights[TERMINATOR_MAX]) {
+static int gouraud_terminators(const reference_detail *d, const triangle *t, int i, int lights[TERMINATOR_MAX])
+{
     return shade_terminators(d, &d->surfaces[t->object], t->world[i], t->normal[i], lights);
 }
 
-void shade_triangle(const reference_detail *d, triangle *t) {
+void shade_triangle(const reference_detail *d, triangle *t)
+{
     const surface *f = &d->surfaces[t->object];
     int lights[TERMINATOR_MAX];
     t->has_terminator = false;
@@ -128,7 +138,8 @@ void shade_triangle(const reference_detail *d, triangle *t) {
 
 /* Variants are numbered in bits: exact and flat: bit k for light k of those at their terminator; Gouraud: bit i for all
  * such lights of corner i together. */
-int shade_variants(const reference_detail *d, const triangle *t, const corner *anchor) {
+int shade_variants(const reference_detail *d, const triangle *t, const corner *anchor)
+{
     int lights[TERMINATOR_MAX], count;
     vector point = centroid(t), normal = t->face;
     if (d->shading == GLINT_SHADING_GOURAUD) {
@@ -141,7 +152,8 @@ int shade_variants(const reference_detail *d, const triangle *t, const corner *a
     return 1 << count;
 }
 
-static void gouraud(const reference_detail *d, const triangle *t, const corner *where, int variant, double rgb[3]) {
+static void gouraud(const reference_detail *d, const triangle *t, const corner *where, int variant, double rgb[3])
+{
     double weight[3], sum = 0.0;
     for (int i = 0; i < 3; i++) {
         weight[i] = fmax(0.0, where->linear[i]);
@@ -163,7 +175,8 @@ static void gouraud(const reference_detail *d, const triangle *t, const corner *
 }
 
 void shade_corner(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
-                  double rgb[3]) {
+                  double rgb[3])
+{
     const surface *f = &d->surfaces[t->object];
     int lights[TERMINATOR_MAX], count = 0;
     unsigned on = (unsigned)variant;

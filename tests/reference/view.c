@@ -13,17 +13,20 @@
 #define Q14 16384.0
 #define PI 3.14159265358979323846
 
-static vector from_q16(const int32_t v[3]) {
+static vector from_q16(const int32_t v[3])
+{
     return vector_of(v[0] / Q16, v[1] / Q16, v[2] / Q16);
 }
 
-static void from_colour(glint_colour c, double rgb[3]) {
+static void from_colour(glint_colour c, double rgb[3])
+{
     rgb[0] = c.r_q14 / Q14;
     rgb[1] = c.g_q14 / Q14;
     rgb[2] = c.b_q14 / Q14;
 }
 
-static void load_camera(reference_detail *d, const glint_camera *c) {
+static void load_camera(reference_detail *d, const glint_camera *c)
+{
     vector up = vector_of(c->up[0], c->up[1], c->up[2]);
     if (length(up) == 0.0) {
         up = vector_of(0.0, 1.0, 0.0);
@@ -36,18 +39,21 @@ static void load_camera(reference_detail *d, const glint_camera *c) {
     d->near_z = c->near_q16 / Q16;
 }
 
-vector view_ray(const reference_detail *d, double x, double y) {
+vector view_ray(const reference_detail *d, double x, double y)
+{
     return vector_of((x - d->width / 2.0) / d->focal, (y - d->height / 2.0) / d->focal, 1.0);
 }
 
-static void load_lamp(lamp *out, const glint_light *in) {
+static void load_lamp(lamp *out, const glint_light *in)
+{
     out->is_point = in->kind == GLINT_POINT;
     out->toward = unit(vector_of(-in->direction[0], -in->direction[1], -in->direction[2]));
     out->position = from_q16(in->position_q16);
     from_colour(in->colour, out->colour);
 }
 
-static void load_surface(surface *out, const glint_material *in, glint_colour scene_ambient) {
+static void load_surface(surface *out, const glint_material *in, glint_colour scene_ambient)
+{
     double ambient[3];
     from_colour(scene_ambient, ambient);
     from_colour(in->ambient, out->ambient);
@@ -67,7 +73,8 @@ typedef struct placing {
     double handedness; /* -1 for a place that mirrors */
 } placing;
 
-static placing load_place(const glint_place *place) {
+static placing load_place(const glint_place *place)
+{
     placing p;
     bool zero = true;
     for (int i = 0; i < 3; i++) {
@@ -87,17 +94,20 @@ static placing load_place(const glint_place *place) {
     return p;
 }
 
-static vector place_normal(const placing *p, vector n) {
+static vector place_normal(const placing *p, vector n)
+{
     return unit(vector_of(dot(p->normal_row[0], n), dot(p->normal_row[1], n), dot(p->normal_row[2], n)));
 }
 
-static vector to_view(const reference_detail *d, vector world) {
+static vector to_view(const reference_detail *d, vector world)
+{
     vector v = minus(world, d->eye);
     return vector_of(dot(d->right, v), dot(d->down, v), dot(d->forward, v));
 }
 
 /* Sutherland-Hodgman against the near plane, and the screen positions of what remains. */
-static void cut_at_near(const reference_detail *d, triangle *t, const vector p[3]) {
+static void cut_at_near(const reference_detail *d, triangle *t, const vector p[3])
+{
     t->corner_count = 0;
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3;
@@ -131,7 +141,8 @@ static void cut_at_near(const reference_detail *d, triangle *t, const vector p[3
 }
 
 /* The polygon's edges as signed distances, and whether it is so thin that moving its corners by e may flip it. */
-static void measure(const reference_detail *d, triangle *t, double sign) {
+static void measure(const reference_detail *d, triangle *t, double sign)
+{
     double width = HUGE_VAL;
     for (int k = 0; k < t->corner_count; k++) {
         const corner *a = &t->corners[k], *b = &t->corners[(k + 1) % t->corner_count];
@@ -152,7 +163,8 @@ static void measure(const reference_detail *d, triangle *t, double sign) {
 }
 
 /* Two equal corners: never seen, and its neighbours close up without it since its own edges cancel out. */
-static bool collapsed(const triangle *t) {
+static bool collapsed(const triangle *t)
+{
     for (int i = 0; i < 3; i++) {
         if (memcmp(t->model[i], t->model[(i + 1) % 3], sizeof t->model[i]) == 0) {
             return true;
@@ -162,7 +174,8 @@ static bool collapsed(const triangle *t) {
 }
 
 static void load_triangle(const reference_detail *d, triangle *t, const glint_mesh *mesh, const uint16_t index[3],
-                          const placing *place) {
+                          const placing *place)
+{
     vector p[3];
     double scale = ldexp(1.0, -mesh->fraction_bits);
     int64_t m[3][3];
@@ -203,14 +216,16 @@ static void load_triangle(const reference_detail *d, triangle *t, const glint_me
     measure(d, t, sign);
 }
 
-static int fail(char *error, size_t error_bytes, const char *text) {
+static int fail(char *error, size_t error_bytes, const char *text)
+{
     if (error_bytes > 0) {
         snprintf(error, error_bytes, "%s", text);
     }
     return -1;
 }
 
-static int load_object(reference_detail *d, int number, const glint_object *o, char *error, size_t error_bytes) {
+static int load_object(reference_detail *d, int number, const glint_object *o, char *error, size_t error_bytes)
+{
     placing place = load_place(&o->place);
     for (int i = 0; i < o->mesh->triangle_count; i++) {
         const uint16_t *index = o->mesh->triangles[i];
@@ -232,7 +247,8 @@ static int load_object(reference_detail *d, int number, const glint_object *o, c
     return 0;
 }
 
-int view_load(reference_detail *d, const glint_scene *scene, char *error, size_t error_bytes) {
+int view_load(reference_detail *d, const glint_scene *scene, char *error, size_t error_bytes)
+{
     size_t count = 0;
     if (!scene || !scene->camera) {
         return fail(error, error_bytes, "a scene with a camera was expected, not NULL");

@@ -28,14 +28,10 @@ typedef struct expected {
 
 /* The teapot's open ends: both ends of the handle and of the spout, each a ring of 2 * divisions edges. */
 static const expected meshes[] = {
-    {"sphere_10x6", &glint_mesh_sphere_10x6, 100, 0},
-    {"sphere_24x12", &glint_mesh_sphere_24x12, 528, 0},
-    {"sphere_32x16", &glint_mesh_sphere_32x16, 960, 0},
-    {"sphere_64x32", &glint_mesh_sphere_64x32, 3968, 0},
-    {"torus_knot", &glint_mesh_torus_knot, 2304, 0},
-    {"box", &glint_mesh_box, 12, 0},
-    {"teapot", &glint_mesh_teapot, 3648, 4 * 2 * 8},
-    {"teapot_small", &glint_mesh_teapot_small, 928, 4 * 2 * 4},
+    {"sphere_10x6", &glint_mesh_sphere_10x6, 100, 0},   {"sphere_24x12", &glint_mesh_sphere_24x12, 528, 0},
+    {"sphere_32x16", &glint_mesh_sphere_32x16, 960, 0}, {"sphere_64x32", &glint_mesh_sphere_64x32, 3968, 0},
+    {"torus_knot", &glint_mesh_torus_knot, 2304, 0},    {"box", &glint_mesh_box, 12, 0},
+    {"teapot", &glint_mesh_teapot, 3648, 4 * 2 * 8},    {"teapot_small", &glint_mesh_teapot_small, 928, 4 * 2 * 4},
     {"plane", &glint_mesh_plane, 128, 4 * 8},
 };
 enum { MESH_COUNT = sizeof meshes / sizeof meshes[0] };
@@ -44,34 +40,41 @@ typedef struct vector {
     int64_t x, y, z;
 } vector;
 
-static vector position(const glint_mesh *m, int v) {
+static vector position(const glint_mesh *m, int v)
+{
     return (vector){m->positions[v][0], m->positions[v][1], m->positions[v][2]};
 }
 
-static vector normal(const glint_mesh *m, int v) {
+static vector normal(const glint_mesh *m, int v)
+{
     return (vector){m->normals_q14[v][0], m->normals_q14[v][1], m->normals_q14[v][2]};
 }
 
-static vector minus(vector a, vector b) {
+static vector minus(vector a, vector b)
+{
     return (vector){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
 /* Components below 2^17 give products below 2^35: exact. */
-static vector cross(vector a, vector b) {
+static vector cross(vector a, vector b)
+{
     return (vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-static int64_t dot(vector a, vector b) {
+static int64_t dot(vector a, vector b)
+{
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 /* Twice the area vector of a triangle, by the library's definition of its face normal. */
-static vector area(const glint_mesh *m, int triangle) {
+static vector area(const glint_mesh *m, int triangle)
+{
     const uint16_t *t = m->triangles[triangle];
     return cross(minus(position(m, t[1]), position(m, t[0])), minus(position(m, t[2]), position(m, t[0])));
 }
 
-static void test_counts_and_indices(void **state) {
+static void test_counts_and_indices(void **state)
+{
     (void)state;
     for (int n = 0; n < MESH_COUNT; n++) {
         const glint_mesh *m = meshes[n].mesh;
@@ -93,7 +96,8 @@ static void test_counts_and_indices(void **state) {
 }
 
 /* No triangle is empty, and each of its vertex normals is on the outer side of it. */
-static void test_faces_agree_with_normals(void **state) {
+static void test_faces_agree_with_normals(void **state)
+{
     (void)state;
     for (int n = 0; n < MESH_COUNT; n++) {
         const glint_mesh *m = meshes[n].mesh;
@@ -109,7 +113,8 @@ static void test_faces_agree_with_normals(void **state) {
     }
 }
 
-static void test_normals_are_unit(void **state) {
+static void test_normals_are_unit(void **state)
+{
     (void)state;
     for (int n = 0; n < MESH_COUNT; n++) {
         const glint_mesh *m = meshes[n].mesh;
@@ -122,12 +127,14 @@ static void test_normals_are_unit(void **state) {
     }
 }
 
-static int compare_edges(const void *a, const void *b) {
+static int compare_edges(const void *a, const void *b)
+{
     return memcmp(a, b, 2 * sizeof(uint16_t));
 }
 
 /* The first vertex with the same position. */
-static uint16_t first_there(const glint_mesh *m, uint16_t v) {
+static uint16_t first_there(const glint_mesh *m, uint16_t v)
+{
     for (uint16_t w = 0; w < v; w++) {
         if (memcmp(m->positions[w], m->positions[v], sizeof m->positions[w]) == 0) {
             return w;
@@ -140,7 +147,8 @@ static uint16_t first_there(const glint_mesh *m, uint16_t v) {
  * Consistent orientation: no edge is walked twice in the same direction. Returns the edges whose reverse is missing,
  * and the number of edges (each counted once). by_position: take vertices of one position as one, across hard edges.
  */
-static int boundary(const char *name, const glint_mesh *m, int by_position, int *edge_count) {
+static int boundary(const char *name, const glint_mesh *m, int by_position, int *edge_count)
+{
     size_t count = 3 * (size_t)m->triangle_count;
     uint16_t(*edges)[2] = calloc(count, sizeof *edges);
     uint16_t *same = calloc(m->vertex_count, sizeof *same);
@@ -168,7 +176,8 @@ static int boundary(const char *name, const glint_mesh *m, int by_position, int 
     return open;
 }
 
-static void test_surfaces_are_closed(void **state) {
+static void test_surfaces_are_closed(void **state)
+{
     (void)state;
     int edges;
     for (int n = 0; n < MESH_COUNT; n++) {
@@ -177,7 +186,8 @@ static void test_surfaces_are_closed(void **state) {
 }
 
 /* Seams and poles are welded: closed without looking at positions, with the Euler characteristic of the surface. */
-static void test_seams_are_welded(void **state) {
+static void test_seams_are_welded(void **state)
+{
     (void)state;
     static const struct {
         const glint_mesh *mesh;
@@ -194,7 +204,8 @@ static void test_seams_are_welded(void **state) {
     }
 }
 
-static void test_spheres_are_unit_spheres(void **state) {
+static void test_spheres_are_unit_spheres(void **state)
+{
     (void)state;
     static const glint_mesh *const spheres[] = {&glint_mesh_sphere_10x6, &glint_mesh_sphere_32x16,
                                                 &glint_mesh_sphere_64x32};
@@ -213,7 +224,8 @@ static void test_spheres_are_unit_spheres(void **state) {
 }
 
 /* One tube radius back along the normal is the curve, and that lies on a torus of radii 1 and 0.5. */
-static void test_knot_lies_about_a_torus(void **state) {
+static void test_knot_lies_about_a_torus(void **state)
+{
     (void)state;
     const glint_mesh *m = &glint_mesh_torus_knot;
     const double unit = ldexp(1.0, -m->fraction_bits);
@@ -233,7 +245,8 @@ static const glint_mesh *const teapots[] = {&glint_mesh_teapot, &glint_mesh_teap
 
 /* On the axis the teapot has the middle of its bottom and the top of its knob, each one vertex with a vertical normal.
  */
-static void test_teapot_poles(void **state) {
+static void test_teapot_poles(void **state)
+{
     (void)state;
     for (int n = 0; n < 2; n++) {
         const glint_mesh *m = teapots[n];
@@ -257,7 +270,8 @@ static void test_teapot_poles(void **state) {
 }
 
 /* Bit for bit the same on both sides of the plane through handle and spout, normals included. */
-static void test_teapot_is_symmetric(void **state) {
+static void test_teapot_is_symmetric(void **state)
+{
     (void)state;
     for (int n = 0; n < 2; n++) {
         const glint_mesh *m = teapots[n];
@@ -273,7 +287,8 @@ static void test_teapot_is_symmetric(void **state) {
     }
 }
 
-static int root(const int *parent, int v) {
+static int root(const int *parent, int v)
+{
     while (parent[v] != v) {
         v = parent[v];
     }
@@ -285,7 +300,8 @@ static int root(const int *parent, int v) {
  * is consistent within a part (test_surfaces_are_closed), so one sign decides it for the part: the flux of the position
  * about the part's middle through its faces, positive when they face outwards. The ledge is level and faces up.
  */
-static void test_teapot_parts_face_outwards(void **state) {
+static void test_teapot_parts_face_outwards(void **state)
+{
     (void)state;
     for (int n = 0; n < 2; n++) {
         const glint_mesh *m = teapots[n];
@@ -336,7 +352,8 @@ static void test_teapot_parts_face_outwards(void **state) {
     }
 }
 
-int main(void) {
+int main(void)
+{
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_counts_and_indices),      cmocka_unit_test(test_faces_agree_with_normals),
         cmocka_unit_test(test_normals_are_unit),        cmocka_unit_test(test_surfaces_are_closed),

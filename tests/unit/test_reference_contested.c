@@ -4,7 +4,8 @@
  */
 #include "tests/unit/reference_world.h"
 
-static void terminator_is_contested(void **state) {
+static void terminator_is_contested(void **state)
+{
     world w;
     reference_candidate c[4];
     (void)state;
@@ -30,7 +31,8 @@ static void terminator_is_contested(void **state) {
     reference_free(&w.image);
 }
 
-static void first_of_equals_stays_and_is_contested(void **state) {
+static void first_of_equals_stays_and_is_contested(void **state)
+{
     world w;
     reference_candidate c[8];
     (void)state;
@@ -55,7 +57,8 @@ static void first_of_equals_stays_and_is_contested(void **state) {
 
 /* The square's diagonal runs through pixel centres: either triangle may be seen there, but never the background. The
  * square's lower edge is moved onto pixel centres: there the background may be seen. */
-static void edges_are_contested_but_cracks_are_not_excused(void **state) {
+static void edges_are_contested_but_cracks_are_not_excused(void **state)
+{
     world w;
     reference_candidate c[8];
     reference_verdict v;
@@ -104,7 +107,8 @@ static void edges_are_contested_but_cracks_are_not_excused(void **state) {
 /* The square as a floor y = -1 under the eye, cut at the near plane. The centres of row 52 see it at a depth of
  * 32 / 20.5 = 102300.1 / 65536: just beyond the near plane, or just before it. The diagonal's neighbour does not seal
  * that cut. */
-static void edge_of_the_near_plane_is_contested(void **state) {
+static void edge_of_the_near_plane_is_contested(void **state)
+{
     world w;
     reference_candidate c[4];
     (void)state;
@@ -127,7 +131,8 @@ static void edge_of_the_near_plane_is_contested(void **state) {
 /* A triangle seen nearly edge-on through the pixel centres x = 32.5: its far corner is off the plane through the eye
  * (X = Z / 64) by 1/1024, 1/192 px. Of either winding it may be seen, since that is less than 2/256 px; a corner that
  * is off by 1/8 px makes sure of its facing. */
-static void edge_on_triangles_are_contested(void **state) {
+static void edge_on_triangles_are_contested(void **state)
+{
     static const uint16_t turned[1][3] = {{0, 2, 1}};
     int16_t positions[3][3] = {{80, -UNIT, 0}, {80, UNIT, 0}, {97, 0, -UNIT}};
     glint_mesh mesh = {(const int16_t(*)[3])positions, square_normals, one_triangle, 3, 1, UNIT_BITS};
@@ -154,7 +159,8 @@ static void edge_on_triangles_are_contested(void **state) {
     assert_int_equal(away, 1);
 }
 
-static void verdict_counts_what_differs(void **state) {
+static void verdict_counts_what_differs(void **state)
+{
     world w;
     reference_verdict v;
     static uint8_t codes[SIZE * SIZE * 3];
@@ -179,7 +185,8 @@ static void verdict_counts_what_differs(void **state) {
     reference_free(&w.image);
 }
 
-int main(void) {
+int main(void)
+{
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(terminator_is_contested),
         cmocka_unit_test(first_of_equals_stays_and_is_contested),

@@ -14,12 +14,14 @@
 
 #define GRID 12
 
-static void count_pixel(void *context, int x, int y) {
+static void count_pixel(void *context, int x, int y)
+{
     int *counts = context;
     counts[y * GRID + x]++;
 }
 
-static void split_square_is_covered_once(void **state) {
+static void split_square_is_covered_once(void **state)
+{
     (void)state;
     for (int offset = 0; offset < 512; offset += 64) { /* edges on, and beside, pixel centres */
         int32_t low = 256 + offset, high = 7 * 256 + offset;
@@ -36,7 +38,8 @@ static void split_square_is_covered_once(void **state) {
     }
 }
 
-static void fan_around_a_centre_covers_it_once(void **state) {
+static void fan_around_a_centre_covers_it_once(void **state)
+{
     static const int32_t rim[8][2] = {{128, 128},   {1408, 128},  {2688, 128}, {2688, 1408},
                                       {2688, 2688}, {1408, 2688}, {128, 2688}, {128, 1408}};
     int counts[GRID * GRID] = {0};
@@ -54,7 +57,8 @@ static void fan_around_a_centre_covers_it_once(void **state) {
 
 /* Another way to the same rule: a centre on an edge belongs to the triangle when the point a little to the right, and
  * much less a little down, is inside. In units of 1/(256 * 2^20) px the products fit int64 here. */
-static void coverage_agrees_with_a_moved_centre(void **state) {
+static void coverage_agrees_with_a_moved_centre(void **state)
+{
     uint32_t seed = 12345;
     long on_edges = 0;
     (void)state;
@@ -87,7 +91,8 @@ static void coverage_agrees_with_a_moved_centre(void **state) {
     assert_true(on_edges > 10000);
 }
 
-static void coverage_keeps_to_its_range(void **state) {
+static void coverage_keeps_to_its_range(void **state)
+{
     const int32_t whole[3][2] = {{-REFERENCE_MAX_COORDINATE, -REFERENCE_MAX_COORDINATE},
                                  {REFERENCE_MAX_COORDINATE, -REFERENCE_MAX_COORDINATE},
                                  {-REFERENCE_MAX_COORDINATE, REFERENCE_MAX_COORDINATE}};
@@ -100,7 +105,8 @@ static void coverage_keeps_to_its_range(void **state) {
     assert_int_equal(reference_cover(flat, GRID, GRID, NULL, NULL), 0);
 }
 
-int main(void) {
+int main(void)
+{
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(split_square_is_covered_once),
         cmocka_unit_test(fan_around_a_centre_covers_it_once),

@@ -32,7 +32,8 @@ enum { MAX_ARGUMENTS = 24, OUTPUT_BYTES = 1 << 16, PATH_BYTES = 256 };
 static char folder[] = "/tmp/glint-render-XXXXXX";
 
 /* A path in the test's folder, in one of a few buffers, so that several can be used in one call. */
-static const char *in_folder(const char *name) {
+static const char *in_folder(const char *name)
+{
     static char paths[8][PATH_BYTES];
     static unsigned next;
     char *path = paths[next++ % 8];
@@ -47,7 +48,8 @@ typedef struct outcome {
     char *standard_output, *standard_error;
 } outcome;
 
-static char *read_text(const char *path) {
+static char *read_text(const char *path)
+{
     FILE *file = fopen(path, "rb");
     char *text = calloc(1, OUTPUT_BYTES);
     assert_non_null(text);
@@ -59,7 +61,8 @@ static char *read_text(const char *path) {
 }
 
 /* arguments: without the program's name, ended by NULL. */
-static outcome run(const char *const *arguments) {
+static outcome run(const char *const *arguments)
+{
     const char *program = getenv("GLINT_RENDER");
     char *argv[MAX_ARGUMENTS + 2] = {NULL};
     const char *output_path = in_folder("stdout"), *error_path = in_folder("stderr");
@@ -84,7 +87,8 @@ static outcome run(const char *const *arguments) {
                      .standard_error = read_text(error_path)};
 }
 
-static void free_outcome(outcome *o) {
+static void free_outcome(outcome *o)
+{
     free(o->standard_output);
     free(o->standard_error);
 }
@@ -92,7 +96,8 @@ static void free_outcome(outcome *o) {
 #define RUN(...) run((const char *const[]){__VA_ARGS__, NULL})
 
 /* The program ends with `status` and says on standard error something that holds `text`. */
-static void assert_refused(outcome o, int status, const char *text) {
+static void assert_refused(outcome o, int status, const char *text)
+{
     if (o.status != status || strstr(o.standard_error, text) == NULL) {
         print_error("expected status %d and a message with \"%s\"; got status %d and: %s\n", status, text, o.status,
                     o.standard_error);
@@ -103,7 +108,8 @@ static void assert_refused(outcome o, int status, const char *text) {
     free_outcome(&o);
 }
 
-static void assert_good(outcome o) {
+static void assert_good(outcome o)
+{
     if (o.status != 0) {
         print_error("status %d: %s\n", o.status, o.standard_error);
     }
@@ -112,20 +118,23 @@ static void assert_good(outcome o) {
     free_outcome(&o);
 }
 
-static bool exists(const char *path) {
+static bool exists(const char *path)
+{
     struct stat status;
     return stat(path, &status) == 0;
 }
 
 /* Neither the file nor what it is written into before it is complete. */
-static void assert_nothing_at(const char *name) {
+static void assert_nothing_at(const char *name)
+{
     char part[PATH_BYTES];
     assert_true(snprintf(part, sizeof part, "%s.part", name) < PATH_BYTES);
     assert_false(exists(in_folder(name)));
     assert_false(exists(in_folder(part)));
 }
 
-static void assert_equal_pictures(const char *path_a, const char *path_b) {
+static void assert_equal_pictures(const char *path_a, const char *path_b)
+{
     char error[256] = "";
     picture a = {0}, b = {0};
     assert_int_equal(picture_read(path_a, &a, error, sizeof error), 0);
@@ -140,7 +149,8 @@ static void assert_equal_pictures(const char *path_a, const char *path_b) {
 /* ----------------------------------------------------------------------------------------------------- good arguments
  */
 
-static void list_names_every_scene(void **state) {
+static void list_names_every_scene(void **state)
+{
     (void)state;
     outcome o = RUN("--list");
     const char *line = o.standard_output;
@@ -163,7 +173,8 @@ static void list_names_every_scene(void **state) {
     free_outcome(&o);
 }
 
-static void help_tells_the_usage(void **state) {
+static void help_tells_the_usage(void **state)
+{
     (void)state;
     outcome o = RUN("--help");
     assert_int_equal(o.status, 0);
@@ -171,7 +182,8 @@ static void help_tells_the_usage(void **state) {
     free_outcome(&o);
 }
 
-static void every_backend_shading_and_format_draws(void **state) {
+static void every_backend_shading_and_format_draws(void **state)
+{
     static const char *const backends[] = {"fixed", "float"};
     static const char *const shadings[] = {"flat", "gouraud", "exact"};
     static const char *const formats[] = {"rgb888", "rgb565", "gray8", "gray4", "mono"};
@@ -197,7 +209,8 @@ static void every_backend_shading_and_format_draws(void **state) {
 }
 
 /* Levels that a format can show: grey, of n bits. */
-static void formats_show_their_levels_only(void **state) {
+static void formats_show_their_levels_only(void **state)
+{
     static const struct {
         const char *format;
         int levels;
@@ -225,7 +238,8 @@ static void formats_show_their_levels_only(void **state) {
     }
 }
 
-static void picture_does_not_depend_on_band_memory_or_buffers(void **state) {
+static void picture_does_not_depend_on_band_memory_or_buffers(void **state)
+{
     static const char *const bands[] = {"1", "7", "16", "47", "48"};
     static const char *const backends[] = {"fixed", "float"};
     (void)state;
@@ -242,7 +256,8 @@ static void picture_does_not_depend_on_band_memory_or_buffers(void **state) {
 }
 
 /* The number at `key` of a report. */
-static double number(const cJSON *report, const char *key) {
+static double number(const cJSON *report, const char *key)
+{
     const cJSON *item = cJSON_GetObjectItemCaseSensitive(report, key);
     if (!cJSON_IsNumber(item)) {
         fail_msg("no number \"%s\" in the report", key);
@@ -250,7 +265,8 @@ static double number(const cJSON *report, const char *key) {
     return item->valuedouble;
 }
 
-static cJSON *read_report(const char *name) {
+static cJSON *read_report(const char *name)
+{
     char *text = read_text(in_folder(name));
     cJSON *report = cJSON_Parse(text);
     assert_non_null(report);
@@ -258,13 +274,15 @@ static cJSON *read_report(const char *name) {
     return report;
 }
 
-static void assert_word(const cJSON *report, const char *key, const char *expected) {
+static void assert_word(const cJSON *report, const char *key, const char *expected)
+{
     const cJSON *item = cJSON_GetObjectItemCaseSensitive(report, key);
     assert_true(cJSON_IsString(item));
     assert_string_equal(item->valuestring, expected);
 }
 
-static void report_is_json_and_its_counts_agree(void **state) {
+static void report_is_json_and_its_counts_agree(void **state)
+{
     (void)state;
     for (unsigned i = 0; i < demo_scene_count; i++) {
         double triangles = 0;
@@ -298,7 +316,8 @@ static void report_is_json_and_its_counts_agree(void **state) {
 }
 
 /* Too little memory is refused with the least that would do; exactly that does, more slowly, with the same picture. */
-static void memory_least_is_told_and_is_enough(void **state) {
+static void memory_least_is_told_and_is_enough(void **state)
+{
     static const char *const backends[] = {"fixed", "float"};
     (void)state;
     for (size_t b = 0; b < 2; b++) {
@@ -337,7 +356,8 @@ static void memory_least_is_told_and_is_enough(void **state) {
     }
 }
 
-static void turn_is_in_degrees(void **state) {
+static void turn_is_in_degrees(void **state)
+{
     char error[256];
     picture a = {0}, b = {0};
     (void)state;
@@ -354,7 +374,8 @@ static void turn_is_in_degrees(void **state) {
     picture_free(&b);
 }
 
-static void reference_writes_picture_and_mask(void **state) {
+static void reference_writes_picture_and_mask(void **state)
+{
     char error[256];
     picture mask = {0};
     int contested = 0;
@@ -374,7 +395,8 @@ static void reference_writes_picture_and_mask(void **state) {
     picture_free(&mask);
 }
 
-static void png_by_its_ending(void **state) {
+static void png_by_its_ending(void **state)
+{
     (void)state;
     if (!picture_has_png()) {
         assert_refused(RUN("teapot", "-o", in_folder("a.png")), 1, "libpng");
@@ -389,7 +411,8 @@ static void png_by_its_ending(void **state) {
 /* ------------------------------------------------------------------------------------------------------ bad arguments
  */
 
-static void bad_command_lines_are_refused(void **state) {
+static void bad_command_lines_are_refused(void **state)
+{
     static const struct {
         const char *arguments[8];
         const char *says;
@@ -431,7 +454,8 @@ static void bad_command_lines_are_refused(void **state) {
 }
 
 /* Options that exclude each other, with an output that must not appear. */
-static void contradictions_are_refused(void **state) {
+static void contradictions_are_refused(void **state)
+{
     static const struct {
         const char *arguments[6];
         const char *says;
@@ -457,7 +481,8 @@ static void contradictions_are_refused(void **state) {
     }
 }
 
-static void unknown_scenes_point_to_the_list(void **state) {
+static void unknown_scenes_point_to_the_list(void **state)
+{
     (void)state;
     assert_refused(RUN("teapott", "-o", in_folder("s.ppm")), 2, "--list");
     assert_refused(RUN("", "-o", in_folder("s.ppm")), 2, "--list");
@@ -465,7 +490,8 @@ static void unknown_scenes_point_to_the_list(void **state) {
 }
 
 /* With the importer the file is what is wrong, without it the message says what to install. */
-static void files_that_cannot_be_read_are_named(void **state) {
+static void files_that_cannot_be_read_are_named(void **state)
+{
     (void)state;
     outcome o = RUN(in_folder("missing.obj"), "-o", in_folder("s.ppm"));
     assert_int_equal(o.status, 1);
@@ -474,7 +500,8 @@ static void files_that_cannot_be_read_are_named(void **state) {
     assert_nothing_at("s.ppm");
 }
 
-static void unwritable_outputs_leave_nothing(void **state) {
+static void unwritable_outputs_leave_nothing(void **state)
+{
     (void)state;
     assert_refused(RUN("sphere-10x6", "-o", in_folder("nowhere/a.ppm")), 1, "nowhere/a.ppm");
     assert_refused(RUN("sphere-10x6", "-o", in_folder("p.ppm"), "--report", in_folder("nowhere/r.json")), 1,
@@ -495,12 +522,14 @@ static void unwritable_outputs_leave_nothing(void **state) {
 /* --------------------------------------------------------------------------------------------------------- the program
  */
 
-static int make_folder(void **state) {
+static int make_folder(void **state)
+{
     (void)state;
     return mkdtemp(folder) == NULL;
 }
 
-static int remove_folder(void **state) {
+static int remove_folder(void **state)
+{
     static const char *const names[] = {"stdout",    "stderr",     "a.ppm",    "b.ppm",        "a.png",
                                         "band.ppm",  "levels.ppm", "r.ppm",    "r.json",       "whole.ppm",
                                         "t0.ppm",    "t360.ppm",   "t90.ppm",  "t-270.ppm",    "whole.json",
@@ -512,7 +541,8 @@ static int remove_folder(void **state) {
     return rmdir(folder); /* fails if a test left a file that it should not have */
 }
 
-int main(void) {
+int main(void)
+{
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(list_names_every_scene),
         cmocka_unit_test(help_tells_the_usage),

@@ -26,7 +26,8 @@ enum { MAX_OBJECTS = 64 };
 
 static const int32_t max_coordinate_q16 = INT32_C(1) << 30;
 
-static void test_names(void **state) {
+static void test_names(void **state)
+{
     (void)state;
     static const char *const wanted[] = {"sphere-10x6",   "sphere-32x16", "sphere-64x32",    "teapot",
                                          "torus-knot",    "room",         "three-lights",    "ambient-ratio",
@@ -49,19 +50,22 @@ static void test_names(void **state) {
     assert_null(demo_scene_named(NULL));
 }
 
-static void check_colour(glint_colour c, int greatest) {
+static void check_colour(glint_colour c, int greatest)
+{
     assert_true(c.r_q14 >= 0 && c.r_q14 <= greatest);
     assert_true(c.g_q14 >= 0 && c.g_q14 <= greatest);
     assert_true(c.b_q14 >= 0 && c.b_q14 <= greatest);
 }
 
-static void check_point(const int32_t point_q16[3]) {
+static void check_point(const int32_t point_q16[3])
+{
     for (int k = 0; k < 3; k++) {
         assert_true(point_q16[k] >= -max_coordinate_q16 && point_q16[k] <= max_coordinate_q16);
     }
 }
 
-static void check_object(const glint_object *object) {
+static void check_object(const glint_object *object)
+{
     assert_non_null(object->mesh);
     assert_non_null(object->material);
     const glint_material *m = object->material;
@@ -87,7 +91,8 @@ static void check_object(const glint_object *object) {
     assert_true(determinant >= 0.0); /* no scene mirrors */
 }
 
-static void test_ranges(void **state) {
+static void test_ranges(void **state)
+{
     (void)state;
     for (uint16_t n = 0; n < demo_scene_count; n++) {
         const glint_scene *s = demo_scenes[n].scene;
@@ -126,19 +131,22 @@ static void test_ranges(void **state) {
     }
 }
 
-static void assert_rounded(long actual, double exact) {
+static void assert_rounded(long actual, double exact)
+{
     if (fabs((double)actual - exact) > 0.5) {
         fail_msg("%ld, expected %.3f rounded", actual, exact);
     }
 }
 
-static void assert_colour(glint_colour actual, double share) {
+static void assert_colour(glint_colour actual, double share)
+{
     assert_rounded(actual.r_q14, share * 0.9 * 16384);
     assert_rounded(actual.g_q14, share * 0.6 * 16384);
     assert_rounded(actual.b_q14, share * 0.3 * 16384);
 }
 
-static void test_yardstick(void **state) {
+static void test_yardstick(void **state)
+{
     (void)state;
     static const char *const names[] = {"sphere-10x6", "sphere-32x16", "sphere-64x32", "blinn"};
     static const glint_mesh *const spheres[] = {&glint_mesh_sphere_10x6, &glint_mesh_sphere_32x16,
@@ -181,7 +189,8 @@ static void test_yardstick(void **state) {
 }
 
 /* To the right the ambient share grows and the diffuse one falls, their sum stays. */
-static void test_ambient_ratio_grows(void **state) {
+static void test_ambient_ratio_grows(void **state)
+{
     (void)state;
     const glint_object *o = demo_ambient_ratio.objects;
     assert_true(demo_ambient_ratio.object_count >= 5);
@@ -196,7 +205,8 @@ static void test_ambient_ratio_grows(void **state) {
 }
 
 /* To the right the exponent grows at one specular share; downwards the share grows at one exponent. */
-static void test_specular_grid_grows(void **state) {
+static void test_specular_grid_grows(void **state)
+{
     (void)state;
     const glint_object *o = demo_specular_grid.objects;
     int right = 0, down = 0;
@@ -219,7 +229,8 @@ static void test_specular_grid_grows(void **state) {
 }
 
 /* The linear part with its default written out. */
-static void effect_of(const glint_place *place, int32_t linear_q16[3][3]) {
+static void effect_of(const glint_place *place, int32_t linear_q16[3][3])
+{
     static const int32_t zero[3][3];
     memcpy(linear_q16, place->linear_q16, sizeof zero);
     if (memcmp(zero, linear_q16, sizeof zero) == 0) {
@@ -229,7 +240,8 @@ static void effect_of(const glint_place *place, int32_t linear_q16[3][3]) {
     }
 }
 
-static void test_turn_by_nothing(void **state) {
+static void test_turn_by_nothing(void **state)
+{
     (void)state;
     for (uint16_t n = 0; n < demo_scene_count; n++) {
         const glint_scene *in = demo_scenes[n].scene;
@@ -256,7 +268,8 @@ static void test_turn_by_nothing(void **state) {
 }
 
 /* Against the rotation about the vertical through the target in double precision, for all scenes and several angles. */
-static void test_turn_is_a_rotation(void **state) {
+static void test_turn_is_a_rotation(void **state)
+{
     (void)state;
     static const uint16_t angles[] = {1, 5461, 16384, 30000, 32768, 49152, 65535};
     for (uint16_t n = 0; n < demo_scene_count; n++) {
@@ -294,7 +307,8 @@ static void test_turn_is_a_rotation(void **state) {
     }
 }
 
-static void test_turn_refuses(void **state) {
+static void test_turn_refuses(void **state)
+{
     (void)state;
     glint_object objects[MAX_OBJECTS], untouched[MAX_OBJECTS];
     glint_scene out, out_before;
@@ -314,7 +328,8 @@ static void test_turn_refuses(void **state) {
     assert_memory_equal(&out, &out_before, sizeof out);
 }
 
-static void test_turn_in_place(void **state) {
+static void test_turn_in_place(void **state)
+{
     (void)state;
     glint_object apart[MAX_OBJECTS], here[MAX_OBJECTS];
     glint_scene expected, scene = demo_room;
@@ -327,7 +342,8 @@ static void test_turn_in_place(void **state) {
     }
 }
 
-static void draw(const glint_scene *scene, int width, int height, reference_image *image) {
+static void draw(const glint_scene *scene, int width, int height, reference_image *image)
+{
     char error[128];
     if (reference_render(scene, width, height, GLINT_SHADING_EXACT, image, error, sizeof error) != 0) {
         fail_msg("%s", error);
@@ -338,7 +354,8 @@ static void draw(const glint_scene *scene, int width, int height, reference_imag
  * The near plane cuts nothing that is seen, however the scene is turned: with the plane moved up to the eye, no surface
  * is nearer than where the scene puts it. At a quarter of the size.
  */
-static void test_near_plane_cuts_nothing(void **state) {
+static void test_near_plane_cuts_nothing(void **state)
+{
     (void)state;
     for (uint16_t n = 0; n < demo_scene_count; n++) {
         for (int eighth = 0; eighth < 8; eighth++) {
@@ -366,7 +383,8 @@ static void test_near_plane_cuts_nothing(void **state) {
 }
 
 /* Scenes without a floor stand free: the picture's edge is background all round, and the picture is not empty. */
-static void test_framing(void **state) {
+static void test_framing(void **state)
+{
     (void)state;
     int free_standing = 0;
     for (uint16_t n = 0; n < demo_scene_count; n++) {
@@ -396,7 +414,8 @@ static void test_framing(void **state) {
     assert_true(free_standing >= 10);
 }
 
-int main(void) {
+int main(void)
+{
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_names),
         cmocka_unit_test(test_ranges),

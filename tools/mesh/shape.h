@@ -44,13 +44,15 @@ void shape_box(shape *mesh);
 void shape_plane(shape *mesh, int cells); /* cells >= 1 */
 
 /* Small vector helpers that the shapes share. */
-static inline void shape_cross(const double a[3], const double b[3], double out[3]) {
+static inline void shape_cross(const double a[3], const double b[3], double out[3])
+{
     out[0] = a[1] * b[2] - a[2] * b[1];
     out[1] = a[2] * b[0] - a[0] * b[2];
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-static inline double shape_dot(const double a[3], const double b[3]) {
+static inline double shape_dot(const double a[3], const double b[3])
+{
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 

@@ -12,7 +12,8 @@
 
 enum { WIDTH = 16, HEIGHT = 8, MEMORY_WORDS = 4096 };
 
-static int count_white(void *context, const glint_band *band) {
+static int count_white(void *context, const glint_band *band)
+{
     const uint8_t *pixels = (const uint8_t *)band->pixels;
     for (uint32_t i = 0; i < band->bytes; i++) {
         *(uint32_t *)context += pixels[i] == 255;
@@ -23,7 +24,8 @@ static int count_white(void *context, const glint_band *band) {
 typedef int (*render_function)(const glint_scene *, const glint_display *, const glint_quality *, void *, size_t,
                                glint_report *);
 
-static int is_white(const char *backend, render_function render) {
+static int is_white(const char *backend, render_function render)
+{
     static uint32_t memory[MEMORY_WORDS];
     const glint_colour white = GLINT_WHITE;
     static glint_camera camera; /* static: all fields zero, in either language */
@@ -51,6 +53,7 @@ static int is_white(const char *backend, render_function render) {
     return 1;
 }
 
-int main(void) {
+int main(void)
+{
     return is_white("fixed", glint_fixed_render) && is_white("float", glint_float_render) ? 0 : 1;
 }

@@ -16,7 +16,8 @@ extern const uint32_t link_data_load[];
 int main(void);
 void reset_handler(void);
 
-static void stop(void) {
+static void stop(void)
+{
     for (;;) {
     }
 }
@@ -34,7 +35,8 @@ __attribute__((section(".vectors"), used)) const vector_table vectors = {
     {reset_handler, stop, stop, stop, stop, stop, stop, stop, stop, stop, stop, stop, stop, stop, stop},
 };
 
-void reset_handler(void) {
+void reset_handler(void)
+{
     const uint32_t *from = link_data_load;
     for (uint32_t *to = link_data_start; to != link_data_end; to++) {
         *to = *from++;

@@ -29,7 +29,8 @@ static uint32_t memory[512];
 /* Stands for the panel's data register. */
 static volatile uint8_t panel;
 
-static int send(void *context, const glint_band *band) {
+static int send(void *context, const glint_band *band)
+{
     const uint8_t *pixels = band->pixels;
     (void)context;
     for (uint32_t i = 0; i < band->bytes; i++) {
@@ -38,7 +39,8 @@ static int send(void *context, const glint_band *band) {
     return 0;
 }
 
-int main(void) {
+int main(void)
+{
     static const glint_quality quality = {.shading = GLINT_SHADING_EXACT};
     static const glint_display display = {
         .width_px = 64, .height_px = 32, .band_px = 8, .format = GLINT_RGB565_SWAPPED, .flush = send};
