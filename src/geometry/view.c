@@ -147,8 +147,8 @@ void glint_transform_set_up(glint_transform *transform, const glint_view *view, 
     transform->depth_near = glint_scaled_from((uint64_t)near.m * (uint32_t)GLINT_DEPTH_SPAN, near.f);
 }
 
-/* Is linear^T linear = s^2 identity, nearly enough that angles are kept within 2^-13? Gives s^2. */
-static bool keeps_angles(int32_t linear_q16[3][3], uint64_t *square_q32)
+/* Is linear^T linear = s^2 identity, nearly enough that angles are kept within 2^-13? Gives 3 s^2. */
+static bool keeps_angles(int32_t linear_q16[3][3], uint64_t *three_squares_q32)
 {
     int64_t gram[3][3]; /* <= 3 2^52 */
     for (int i = 0; i < 3; i++) {
@@ -158,7 +158,7 @@ static bool keeps_angles(int32_t linear_q16[3][3], uint64_t *square_q32)
         }
     }
     const uint64_t limit = (uint64_t)gram[0][0] >> 13;
-    *square_q32 = (uint64_t)(gram[0][0] + gram[1][1] + gram[2][2]) / 3;
+    *three_squares_q32 = (uint64_t)(gram[0][0] + gram[1][1] + gram[2][2]);
     return magnitude64(gram[0][1]) <= limit && magnitude64(gram[0][2]) <= limit && magnitude64(gram[1][2]) <= limit &&
            magnitude64(gram[0][0] - gram[1][1]) <= limit && magnitude64(gram[0][0] - gram[2][2]) <= limit;
 }
@@ -254,18 +254,19 @@ static void rays_set_up(glint_frame *frame, const glint_view *view, int32_t to_v
 void glint_frame_set_up(glint_frame *frame, const glint_view *view, const glint_object *object)
 {
     int32_t linear_q16[3][3], to_view_q30[3][3];
-    uint64_t square_q32;
+    uint64_t three_squares_q32;
     glint_linear_of(&object->place, linear_q16);
     int64_t cofactor[3][3];
     cofactors(linear_q16, cofactor);
     const int sign = determinant_sign(linear_q16, cofactor);
     frame->mirrored = sign < 0;
-    frame->model_axes = keeps_angles(linear_q16, &square_q32);
+    frame->model_axes = keeps_angles(linear_q16, &three_squares_q32);
     if (frame->model_axes) {
-        /* s = sqrt(s^2), with the square brought to 61 or 62 bits */
-        const int up = (62 - bit_length64(square_q32)) & ~1;
-        const glint_scaled s = glint_scaled_from(glint_square_root_u64(square_q32 << up), 16 + up / 2);
-        const glint_scaled inverse = glint_scaled_inverse(s);
+        /* 1/s = sqrt(3) / sqrt(3 s^2), the square brought to 61 or 62 bits; sqrt(3) = 1859775393 / 2^30 */
+        const int up = (62 - bit_length64(three_squares_q32)) & ~1;
+        const glint_scaled root = glint_scaled_from(glint_square_root_u64(three_squares_q32 << up), 16 + up / 2);
+        const glint_scaled inverse_root = glint_scaled_inverse(root);
+        const glint_scaled inverse = glint_scaled_from((uint64_t)inverse_root.m * 1859775393u, inverse_root.f + 30);
         for (int i = 0; i < 3; i++) {
             for (int k = 0; k < 3; k++) {
                 frame->from_world_q30[i][k] =

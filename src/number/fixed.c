@@ -119,10 +119,10 @@ void glint_sine_cosine_q30(uint16_t angle_turn16, int32_t *sine_q30, int32_t *co
     /* Taylor: x <= pi/4, so the first terms left out are below x^13/13! < 2^-36 and x^14/14! < 2^-41 */
     int64_t sine = one, cosine = one;
     for (int n = 10; n >= 2; n -= 2) {
-        sine = one - ((xx * sine) >> 30) / (n * (n + 1));
+        sine = one - (int32_t)((xx * sine) >> 30) / (n * (n + 1));
     }
     for (int n = 12; n >= 2; n -= 2) {
-        cosine = one - ((xx * cosine) >> 30) / (n * (n - 1));
+        cosine = one - (int32_t)((xx * cosine) >> 30) / (n * (n - 1));
     }
     sine = (x * sine) >> 30;
     const int32_t s = (int32_t)(folded ? cosine : sine), c = (int32_t)(folded ? sine : cosine);

@@ -6,9 +6,9 @@
 
 static int32_t depth_range(const glint_gradients *gradients)
 {
-    int32_t least = gradients->corner[0]->depth_q30, greatest = least;
+    int32_t least = gradients->corner[0].depth_q30, greatest = least;
     for (int i = 1; i < 3; i++) {
-        const int32_t depth = gradients->corner[i]->depth_q30;
+        const int32_t depth = gradients->corner[i].depth_q30;
         least = depth < least ? depth : least;
         greatest = depth > greatest ? depth : greatest;
     }
@@ -18,12 +18,12 @@ static int32_t depth_range(const glint_gradients *gradients)
 /* The edge opposite corner 1 runs from 2 to 0, that opposite corner 2 from 0 to 1. */
 static const glint_screen_vertex *opposite_from(const glint_gradients *gradients, int i)
 {
-    return gradients->corner[i == 0 ? 2 : 0];
+    return &gradients->corner[i == 0 ? 2 : 0];
 }
 
 static const glint_screen_vertex *opposite_to(const glint_gradients *gradients, int i)
 {
-    return gradients->corner[i == 0 ? 0 : 1];
+    return &gradients->corner[i == 0 ? 0 : 1];
 }
 
 void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_vertex corner[3], const uint8_t order[3])
@@ -31,7 +31,7 @@ void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_verte
     int32_t dx[2], dy[2];
     uint32_t any = 0;
     for (int i = 0; i < 3; i++) {
-        gradients->corner[i] = &corner[order[i]];
+        gradients->corner[i] = corner[order[i]];
     }
     for (int i = 0; i < 2; i++) {
         const glint_screen_vertex *from = opposite_from(gradients, i), *to = opposite_to(gradients, i);
@@ -53,10 +53,10 @@ void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_verte
         return;
     }
     gradients->bits = (int8_t)(30 - (excess > 0 ? excess : 0));
-    gradients->anchor_x = (int16_t)(gradients->corner[0]->x >> GLINT_FINE_BITS);
-    gradients->anchor_y = (int16_t)(gradients->corner[0]->y >> GLINT_FINE_BITS);
-    gradients->offset_x = (int16_t)(GLINT_FINE / 2 - (gradients->corner[0]->x & (GLINT_FINE - 1)));
-    gradients->offset_y = (int16_t)(GLINT_FINE / 2 - (gradients->corner[0]->y & (GLINT_FINE - 1)));
+    gradients->anchor_x = (int16_t)(gradients->corner[0].x >> GLINT_FINE_BITS);
+    gradients->anchor_y = (int16_t)(gradients->corner[0].y >> GLINT_FINE_BITS);
+    gradients->offset_x = (int16_t)(GLINT_FINE / 2 - (gradients->corner[0].x & (GLINT_FINE - 1)));
+    gradients->offset_y = (int16_t)(GLINT_FINE / 2 - (gradients->corner[0].y & (GLINT_FINE - 1)));
     /* area = a 2^(area_bits-32) with a normalised; 1/area = r 2^(-30-area_bits) */
     const uint32_t a =
         (uint32_t)(area_bits > 32 ? gradients->area >> (area_bits - 32) : gradients->area << (32 - area_bits));

@@ -14,16 +14,16 @@
 #include "raster/edges.h"
 
 typedef struct glint_gradients {
-    const glint_screen_vertex *corner[3]; /* clockwise on the display */
-    bool sliver;                          /* the gradients are not set: use glint_gradients_weights() at each pixel */
-    int8_t bits;                          /* fractional bits of the gradients, 26..30 */
-    int32_t x[2], y[2];                   /* change of the coordinates of corners 1 and 2, per pixel right and down */
-    int16_t anchor_x, anchor_y;           /* the pixel that holds corner 0 */
-    int16_t offset_x, offset_y;           /* from corner 0 to that pixel's centre, 1/4096 px: -2047..2048 */
-    int64_t area;                         /* twice the area in (1/4096 px)^2; may be 0 or less for a sliver */
+    glint_screen_vertex corner[3]; /* clockwise on the display */
+    bool sliver;                   /* the gradients are not set: use glint_gradients_weights() at each pixel */
+    int8_t bits;                   /* fractional bits of the gradients, 26..30 */
+    int32_t x[2], y[2];            /* change of the coordinates of corners 1 and 2, per pixel right and down */
+    int16_t anchor_x, anchor_y;    /* the pixel that holds corner 0 */
+    int16_t offset_x, offset_y;    /* from corner 0 to that pixel's centre, 1/4096 px: -2047..2048 */
+    int64_t area;                  /* twice the area in (1/4096 px)^2; may be 0 or less for a sliver */
 } glint_gradients;
 
-/* `corner` stays referenced. `order` is the clockwise order of its three vertices, see glint_edges. */
+/* `order` is the clockwise order of its three vertices, see glint_edges. */
 void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_vertex corner[3], const uint8_t order[3]);
 
 /*

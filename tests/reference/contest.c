@@ -5,7 +5,8 @@
  *
  * Why a sealed group must cover: moving each corner by up to e moves no point of the group's outline by more than e.
  * If the pixel's centre is further than that from the outline, the outline never sweeps over it, and the number of
- * times that the group winds around it stays the same.
+ * times that the group winds around it stays the same; a triangle turned away winds the other way. Where that number is
+ * above 0, some triangle of the group that faces the eye covers the pixel.
  */
 #include <string.h>
 
@@ -102,15 +103,16 @@ static void find_groups(const reference_detail *d, contender *c, int count)
         }
     }
     for (int a = 0; a < count; a++) {
-        bool open = false, covers = false;
+        bool open = false;
+        int winding = 0;
         for (int b = 0; b < count; b++) {
             if (c[b].group == c[a].group) {
                 const triangle *t = &d->triangles[c[b].triangle];
                 open = open || unsealed(t, c[b].near_edges);
-                covers = covers || (c[b].inside && t->front);
+                winding += !c[b].inside ? 0 : t->front ? 1 : -1;
             }
         }
-        c[a].must = covers && !open;
+        c[a].must = winding > 0 && !open;
     }
 }
 

@@ -1,0 +1,481 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Bad input: every error code, provoked by the smallest change to one valid scene, in both backends; and the limits,
+ * accepted just inside and refused just outside. A refused call writes nothing: the working memory, the report and the
+ * transfer counters keep their bytes and no band is sent.
+ */
+#include "tests/unit/backends.h"
+#include "tests/unit/board.h"
+
+#include <limits.h>
+#include <stdio.h>
+
+#include "examples/scenes/scenes.h"
+
+/* Budget: how much more than a backend's own number GLINT_MEMORY_WORDS may ask for. */
+#define WORDS_FACTOR 1.10
+#define WORDS_MORE 1024.0
+
+#define SPARE 64
+#define LIGHTS (GLINT_MAX_LIGHTS + 1)
+#define LARGEST_MEMORY (1 << 20)
+
+enum { FULL_MEMORY = 0, LEAST_MEMORY = 1, SHORT_MEMORY = 2 };
+
+typedef struct world {
+    board b;
+    glint_display display;
+    glint_quality quality;
+    glint_transfers transfers;
+    const glint_scene *scene_argument;
+    const glint_display *display_argument;
+    const glint_quality *quality_argument;
+    bool no_memory;
+    uint8_t memory_kind, misaligned;
+    unsigned flushed;
+} world;
+
+/* All lights alike; more than the library takes. */
+static glint_light many_lights[LIGHTS];
+static unsigned words_wrong;
+static uint32_t memory_words[LARGEST_MEMORY / 4];
+
+static int count_flush(void *context, const glint_band *band)
+{
+    world *w = context;
+    (void)band;
+    w->flushed++;
+    if (w->display.transfers) {
+        glint_flush_done(&w->transfers);
+    }
+    return 0;
+}
+
+static void set_up(world *w)
+{
+    memset(w, 0, sizeof *w);
+    board_set_up(&w->b);
+    w->b.scene.light_count = 2;
+    w->b.light[1].kind = GLINT_POINT;
+    w->display.width_px = 9;
+    w->display.height_px = 10;
+    w->display.flush = count_flush;
+    w->display.context = w;
+    w->scene_argument = &w->b.scene;
+    w->display_argument = &w->display;
+    w->quality_argument = &w->quality;
+    for (int i = 0; i < LIGHTS; i++) {
+        many_lights[i] = w->b.light[0];
+    }
+}
+
+static void set_place(world *w, int32_t a, int32_t b, int32_t c)
+{
+    int32_t(*linear)[3] = w->b.object.place.linear_q16;
+    memset(w->b.object.place.linear_q16, 0, sizeof w->b.object.place.linear_q16);
+    linear[0][0] = a;
+    linear[1][1] = b;
+    linear[2][2] = c;
+}
+
+static void set_shear(world *w, int32_t a, int32_t b)
+{
+    set_place(w, a, b, 1 << 16);
+    w->b.object.place.linear_q16[0][1] = a;
+    w->b.object.place.linear_q16[1][0] = a;
+}
+
+static void set_up_vector(world *w, int16_t x, int16_t y, int16_t z)
+{
+    w->b.camera.up[0] = x;
+    w->b.camera.up[1] = y;
+    w->b.camera.up[2] = z;
+}
+
+static void set_pages(world *w, uint16_t height_px, uint16_t band_px)
+{
+    w->display.format = GLINT_MONO_PAGES;
+    w->display.height_px = height_px;
+    w->display.band_px = band_px;
+}
+
+static void set_stride(world *w, uint8_t format, uint16_t width_px, uint32_t stride_bytes)
+{
+    w->display.format = format;
+    w->display.width_px = width_px;
+    w->display.stride_bytes = stride_bytes;
+}
+
+static void set_buffers(world *w, uint8_t count, bool transfers)
+{
+    w->display.buffer_count = count;
+    w->display.transfers = transfers ? &w->transfers : NULL;
+}
+
+/* X(what, change, expected) */
+#define NULL_CASES(X)                                                                                                  \
+    X(null_scene, w->scene_argument = NULL, GLINT_ERROR_NULL_ARGUMENT)                                                 \
+    X(null_display, w->display_argument = NULL, GLINT_ERROR_NULL_ARGUMENT)                                             \
+    X(null_objects, w->b.scene.objects = NULL, GLINT_ERROR_NULL_OBJECTS)                                               \
+    X(null_lights, w->b.scene.lights = NULL, GLINT_ERROR_NULL_LIGHTS)                                                  \
+    X(null_mesh, w->b.object.mesh = NULL, GLINT_ERROR_NULL_MESH)                                                       \
+    X(null_positions, w->b.mesh.positions = NULL, GLINT_ERROR_NULL_MESH)                                               \
+    X(null_normals, w->b.mesh.normals_q14 = NULL, GLINT_ERROR_NULL_MESH)                                               \
+    X(null_triangles, w->b.mesh.triangles = NULL, GLINT_ERROR_NULL_MESH)
+
+/* What the size functions have to look at: they give 0 for these and for the NULL pointers above. */
+#define SIZE_CASES(X)                                                                                                  \
+    X(two_vertices, w->b.mesh.vertex_count = 2, GLINT_ERROR_MESH_EMPTY)                                                \
+    X(no_vertex, w->b.mesh.vertex_count = 0, GLINT_ERROR_MESH_EMPTY)                                                   \
+    X(no_triangle, w->b.mesh.triangle_count = 0, GLINT_ERROR_MESH_EMPTY)                                               \
+    X(fraction_25, w->b.mesh.fraction_bits = 25, GLINT_ERROR_MESH_FRACTION)                                            \
+    X(fraction_below_0, w->b.mesh.fraction_bits = -1, GLINT_ERROR_MESH_FRACTION)                                       \
+    X(lights_4097, (w->b.scene.lights = many_lights, w->b.scene.light_count = 4097), GLINT_ERROR_LIGHT_COUNT)          \
+    X(width_0, w->display.width_px = 0, GLINT_ERROR_DISPLAY_SIZE)                                                      \
+    X(width_2049, w->display.width_px = 2049, GLINT_ERROR_DISPLAY_SIZE)                                                \
+    X(height_0, w->display.height_px = 0, GLINT_ERROR_DISPLAY_SIZE)                                                    \
+    X(height_2049, w->display.height_px = 2049, GLINT_ERROR_DISPLAY_SIZE)                                              \
+    X(format_6, w->display.format = GLINT_MONO_PAGES + 1, GLINT_ERROR_DISPLAY_FORMAT)                                  \
+    X(format_255, w->display.format = 255, GLINT_ERROR_DISPLAY_FORMAT)                                                 \
+    X(pages_band_1, set_pages(w, 10, 1), GLINT_ERROR_DISPLAY_BAND)                                                     \
+    X(pages_band_9_of_10, set_pages(w, 10, 9), GLINT_ERROR_DISPLAY_BAND)                                               \
+    X(pages_band_12_of_16, set_pages(w, 16, 12), GLINT_ERROR_DISPLAY_BAND)                                             \
+    X(dither_2, w->display.dither = GLINT_DITHER_BAYER + 1, GLINT_ERROR_DISPLAY_DITHER)                                \
+    X(buffers_3, set_buffers(w, 3, true), GLINT_ERROR_DISPLAY_BUFFERS)                                                 \
+    X(buffers_255, set_buffers(w, 255, true), GLINT_ERROR_DISPLAY_BUFFERS)                                             \
+    X(buffers_2_without_transfers, set_buffers(w, 2, false), GLINT_ERROR_DISPLAY_BUFFERS)                              \
+    X(stride_1, w->display.stride_bytes = 1, GLINT_ERROR_DISPLAY_STRIDE)                                               \
+    X(stride_short_888, set_stride(w, GLINT_RGB888, 9, 26), GLINT_ERROR_DISPLAY_STRIDE)                                \
+    X(stride_short_565, set_stride(w, GLINT_RGB565, 9, 17), GLINT_ERROR_DISPLAY_STRIDE)                                \
+    X(stride_short_swapped, set_stride(w, GLINT_RGB565_SWAPPED, 9, 17), GLINT_ERROR_DISPLAY_STRIDE)                    \
+    X(stride_short_grey8, set_stride(w, GLINT_GREY8, 9, 8), GLINT_ERROR_DISPLAY_STRIDE)                                \
+    X(stride_short_grey4, set_stride(w, GLINT_GREY4, 9, 4), GLINT_ERROR_DISPLAY_STRIDE)                                \
+    X(stride_short_pages, set_stride(w, GLINT_MONO_PAGES, 9, 8), GLINT_ERROR_DISPLAY_STRIDE)
+
+#define REFUSED_CASES(X)                                                                                               \
+    X(null_quality, w->quality_argument = NULL, GLINT_ERROR_NULL_ARGUMENT)                                             \
+    X(null_memory, w->no_memory = true, GLINT_ERROR_NULL_ARGUMENT)                                                     \
+    X(null_camera, w->b.scene.camera = NULL, GLINT_ERROR_NULL_CAMERA)                                                  \
+    X(null_material, w->b.object.material = NULL, GLINT_ERROR_NULL_MATERIAL)                                           \
+    X(null_flush, w->display.flush = NULL, GLINT_ERROR_NULL_FLUSH)                                                     \
+    X(index_is_count, w->b.triangles[1][2] = 4, GLINT_ERROR_MESH_INDEX)                                                \
+    X(index_first, w->b.triangles[0][0] = 4, GLINT_ERROR_MESH_INDEX)                                                   \
+    X(index_middle, w->b.triangles[0][1] = 65535, GLINT_ERROR_MESH_INDEX)                                              \
+    X(flat_x, set_place(w, 0, 1 << 16, 1 << 16), GLINT_ERROR_PLACE_SINGULAR)                                           \
+    X(flat_y, set_place(w, 1 << 16, 0, 1 << 16), GLINT_ERROR_PLACE_SINGULAR)                                           \
+    X(flat_z, set_place(w, 1 << 16, 1 << 16, 0), GLINT_ERROR_PLACE_SINGULAR)                                           \
+    X(equal_rows, set_shear(w, 1 << 16, 1 << 16), GLINT_ERROR_PLACE_SINGULAR)                                          \
+    X(nearly_flat, set_place(w, 1 << 26, 1 << 13, 1 << 14), GLINT_ERROR_PLACE_SINGULAR)                                \
+    X(linear_high, set_place(w, (1 << 26) + 1, 1 << 26, 1 << 26), GLINT_ERROR_PLACE_RANGE)                             \
+    X(linear_low, set_place(w, 1 << 26, 1 << 26, -(1 << 26) - 1), GLINT_ERROR_PLACE_RANGE)                             \
+    X(linear_lowest, set_place(w, 1 << 26, INT32_MIN, 1 << 26), GLINT_ERROR_PLACE_RANGE)                               \
+    X(origin_high, w->b.object.place.origin_q16[0] = (1 << 30) + 1, GLINT_ERROR_PLACE_RANGE)                           \
+    X(origin_low, w->b.object.place.origin_q16[2] = -(1 << 30) - 1, GLINT_ERROR_PLACE_RANGE)                           \
+    X(origin_lowest, w->b.object.place.origin_q16[1] = INT32_MIN, GLINT_ERROR_PLACE_RANGE)                             \
+    X(ambient_reflectance_high, w->b.material.ambient.r_q14 = 16385, GLINT_ERROR_REFLECTANCE)                          \
+    X(diffuse_reflectance_high, w->b.material.diffuse.g_q14 = 16385, GLINT_ERROR_REFLECTANCE)                          \
+    X(specular_reflectance_high, w->b.material.specular.b_q14 = 16385, GLINT_ERROR_REFLECTANCE)                        \
+    X(ambient_reflectance_low, w->b.material.ambient.g_q14 = -1, GLINT_ERROR_REFLECTANCE)                              \
+    X(diffuse_reflectance_low, w->b.material.diffuse.b_q14 = -1, GLINT_ERROR_REFLECTANCE)                              \
+    X(specular_reflectance_low, w->b.material.specular.r_q14 = -1, GLINT_ERROR_REFLECTANCE)                            \
+    X(exponent_high, w->b.material.exponent_q4 = 1024 * 16 + 1, GLINT_ERROR_EXPONENT)                                  \
+    X(specular_model_2, w->b.material.specular_model = GLINT_BLINN + 1, GLINT_ERROR_SPECULAR_MODEL)                    \
+    X(light_kind_2, w->b.light[0].kind = GLINT_POINT + 1, GLINT_ERROR_LIGHT_KIND)                                      \
+    X(light_direction_0, w->b.light[0].direction[2] = 0, GLINT_ERROR_LIGHT_DIRECTION)                                  \
+    X(light_red_low, w->b.light[0].colour.r_q14 = -1, GLINT_ERROR_LIGHT_COLOUR)                                        \
+    X(light_green_low, w->b.light[1].colour.g_q14 = -1, GLINT_ERROR_LIGHT_COLOUR)                                      \
+    X(light_blue_low, w->b.light[1].colour.b_q14 = INT16_MIN, GLINT_ERROR_LIGHT_COLOUR)                                \
+    X(light_position_high, w->b.light[1].position_q16[0] = (1 << 30) + 1, GLINT_ERROR_LIGHT_POSITION)                  \
+    X(light_position_low, w->b.light[1].position_q16[2] = -(1 << 30) - 1, GLINT_ERROR_LIGHT_POSITION)                  \
+    X(ambient_red_low, w->b.scene.ambient.r_q14 = -1, GLINT_ERROR_AMBIENT)                                             \
+    X(ambient_green_low, w->b.scene.ambient.g_q14 = -1, GLINT_ERROR_AMBIENT)                                           \
+    X(ambient_blue_low, w->b.scene.ambient.b_q14 = -1, GLINT_ERROR_AMBIENT)                                            \
+    X(background_low, w->b.scene.background.b_q14 = -1, GLINT_ERROR_BACKGROUND)                                        \
+    X(background_high, w->b.scene.background.r_q14 = 16385, GLINT_ERROR_BACKGROUND)                                    \
+    X(eye_is_target, w->b.camera.eye_q16[2] = 0, GLINT_ERROR_CAMERA_DIRECTION)                                         \
+    X(up_along_view, set_up_vector(w, 0, 0, 7), GLINT_ERROR_CAMERA_UP)                                                 \
+    X(up_against_view, set_up_vector(w, 0, 0, INT16_MIN), GLINT_ERROR_CAMERA_UP)                                       \
+    X(field_181, w->b.camera.field_of_view_turn16 = 181, GLINT_ERROR_CAMERA_FIELD)                                     \
+    X(field_0, w->b.camera.field_of_view_turn16 = 0, GLINT_ERROR_CAMERA_FIELD)                                         \
+    X(field_30948, w->b.camera.field_of_view_turn16 = 30948, GLINT_ERROR_CAMERA_FIELD)                                 \
+    X(near_63, w->b.camera.near_q16 = 63, GLINT_ERROR_CAMERA_NEAR)                                                     \
+    X(near_0, w->b.camera.near_q16 = 0, GLINT_ERROR_CAMERA_NEAR)                                                       \
+    X(near_lowest, w->b.camera.near_q16 = INT32_MIN, GLINT_ERROR_CAMERA_NEAR)                                          \
+    X(near_high, w->b.camera.near_q16 = (1 << 30) + 1, GLINT_ERROR_CAMERA_NEAR)                                        \
+    X(eye_high, w->b.camera.eye_q16[2] = (1 << 30) + 1, GLINT_ERROR_CAMERA_RANGE)                                      \
+    X(target_low, w->b.camera.target_q16[1] = -(1 << 30) - 1, GLINT_ERROR_CAMERA_RANGE)                                \
+    X(shading_3, w->quality.shading = GLINT_SHADING_FLAT + 1, GLINT_ERROR_SHADING)                                     \
+    X(memory_one_byte_short, w->memory_kind = SHORT_MEMORY, GLINT_ERROR_MEMORY_SIZE)                                   \
+    X(misaligned_1, w->misaligned = 1, GLINT_ERROR_MEMORY_ALIGNMENT)                                                   \
+    X(misaligned_2, w->misaligned = 2, GLINT_ERROR_MEMORY_ALIGNMENT)                                                   \
+    X(misaligned_3, w->misaligned = 3, GLINT_ERROR_MEMORY_ALIGNMENT)
+
+#define ACCEPTED_CASES(X)                                                                                              \
+    X(unchanged, (void)w, GLINT_OK)                                                                                    \
+    X(memory_least, w->memory_kind = LEAST_MEMORY, GLINT_OK)                                                           \
+    X(objects_none, (w->b.scene.objects = NULL, w->b.scene.object_count = 0), GLINT_OK)                                \
+    X(lights_none, (w->b.scene.lights = NULL, w->b.scene.light_count = 0), GLINT_OK)                                   \
+    X(lights_4096, (w->b.scene.lights = many_lights, w->b.scene.light_count = 4096), GLINT_OK)                         \
+    X(three_vertices, (w->b.mesh.vertex_count = 3, w->b.mesh.triangle_count = 1), GLINT_OK)                            \
+    X(fraction_0, w->b.mesh.fraction_bits = 0, GLINT_OK)                                                               \
+    X(fraction_24, w->b.mesh.fraction_bits = 24, GLINT_OK)                                                             \
+    X(linear_greatest, set_place(w, 1 << 26, 1 << 26, 1 << 26), GLINT_OK)                                              \
+    X(linear_lowest_allowed, set_place(w, -(1 << 26), 1 << 26, -(1 << 26)), GLINT_OK)                                  \
+    X(linear_smallest, set_place(w, 1, 1, 1), GLINT_OK)                                                                \
+    X(nearly_flat_above, set_place(w, 1 << 26, 1 << 14, 1 << 14), GLINT_OK)                                            \
+    X(origin_greatest, w->b.object.place.origin_q16[0] = 1 << 30, GLINT_OK)                                            \
+    X(origin_least, w->b.object.place.origin_q16[2] = -(1 << 30), GLINT_OK)                                            \
+    X(reflectance_1, w->b.material.ambient = w->b.material.diffuse = w->b.material.specular = board_grey(16384),       \
+      GLINT_OK)                                                                                                        \
+    X(exponent_greatest, w->b.material.exponent_q4 = 1024 * 16, GLINT_OK)                                              \
+    X(blinn, w->b.material.specular_model = GLINT_BLINN, GLINT_OK)                                                     \
+    X(light_brightest, w->b.light[0].colour = board_grey(32767), GLINT_OK)                                             \
+    X(light_black, w->b.light[0].colour = board_grey(0), GLINT_OK)                                                     \
+    X(light_direction_longest, board_light(&w->b, 0, INT16_MIN, INT16_MIN, INT16_MIN), GLINT_OK)                       \
+    X(light_direction_of_a_point, w->b.light[1].direction[2] = 0, GLINT_OK)                                            \
+    X(light_position_of_a_direction, w->b.light[0].position_q16[0] = INT32_MIN, GLINT_OK)                              \
+    X(light_position_greatest, w->b.light[1].position_q16[0] = 1 << 30, GLINT_OK)                                      \
+    X(light_position_least, w->b.light[1].position_q16[1] = -(1 << 30), GLINT_OK)                                      \
+    X(ambient_brightest, w->b.scene.ambient = board_grey(32767), GLINT_OK)                                             \
+    X(background_white, w->b.scene.background = board_grey(16384), GLINT_OK)                                           \
+    X(eye_one_step_off, w->b.camera.eye_q16[2] = 1, GLINT_OK)                                                          \
+    X(eye_greatest, w->b.camera.eye_q16[2] = 1 << 30, GLINT_OK)                                                        \
+    X(target_least, w->b.camera.target_q16[2] = -(1 << 30), GLINT_OK)                                                  \
+    X(up_longest, set_up_vector(w, INT16_MIN, INT16_MIN, INT16_MIN), GLINT_OK)                                         \
+    X(up_shortest, set_up_vector(w, 1, 0, 0), GLINT_OK)                                                                \
+    X(field_182, w->b.camera.field_of_view_turn16 = 182, GLINT_OK)                                                     \
+    X(field_30947, w->b.camera.field_of_view_turn16 = 30947, GLINT_OK)                                                 \
+    X(near_64, w->b.camera.near_q16 = 64, GLINT_OK)                                                                    \
+    X(near_greatest, w->b.camera.near_q16 = 1 << 30, GLINT_OK)                                                         \
+    X(size_1, w->display.width_px = w->display.height_px = 1, GLINT_OK)                                                \
+    X(width_2048, w->display.width_px = 2048, GLINT_OK)                                                                \
+    X(height_2048, w->display.height_px = 2048, GLINT_OK)                                                              \
+    X(band_higher_than_display, w->display.band_px = 65535, GLINT_OK)                                                  \
+    X(pages_band_8, set_pages(w, 10, 8), GLINT_OK)                                                                     \
+    X(pages_band_whole, set_pages(w, 10, 0), GLINT_OK)                                                                 \
+    X(pages_band_is_height, set_pages(w, 10, 10), GLINT_OK)                                                            \
+    X(pages_band_above_height, set_pages(w, 10, 11), GLINT_OK)                                                         \
+    X(dither_bayer, w->display.dither = GLINT_DITHER_BAYER, GLINT_OK)                                                  \
+    X(buffers_1, set_buffers(w, 1, false), GLINT_OK)                                                                   \
+    X(buffers_1_with_transfers, set_buffers(w, 1, true), GLINT_OK)                                                     \
+    X(buffers_2, set_buffers(w, 2, true), GLINT_OK)                                                                    \
+    X(stride_exact_888, set_stride(w, GLINT_RGB888, 9, 27), GLINT_OK)                                                  \
+    X(stride_exact_565, set_stride(w, GLINT_RGB565, 9, 18), GLINT_OK)                                                  \
+    X(stride_exact_grey4, set_stride(w, GLINT_GREY4, 9, 5), GLINT_OK)                                                  \
+    X(stride_exact_pages, set_stride(w, GLINT_MONO_PAGES, 9, 9), GLINT_OK)
+
+#define DEFINE(what, change, expected)                                                                                 \
+    static void what(world *w)                                                                                         \
+    {                                                                                                                  \
+        change;                                                                                                        \
+    }
+NULL_CASES(DEFINE)
+SIZE_CASES(DEFINE)
+REFUSED_CASES(DEFINE)
+ACCEPTED_CASES(DEFINE)
+
+typedef struct variation {
+    const char *name;
+    void (*change)(world *);
+    int expected;
+    bool seen_by_sizes;
+} variation;
+
+#define ROW_SEEN(what, change, expected) {#what, what, expected, true},
+#define ROW(what, change, expected) {#what, what, expected, false},
+static const variation variations[] = {NULL_CASES(ROW_SEEN) SIZE_CASES(ROW_SEEN) REFUSED_CASES(ROW)
+                                           ACCEPTED_CASES(ROW)};
+#define VARIATIONS (sizeof variations / sizeof *variations)
+
+/* Draws the varied scene; false and a line of text for each thing that is not as it should be. */
+static bool behaves(const variation *v, const renderer *be)
+{
+    world w, before;
+    glint_report report;
+    uint8_t *const memory = (uint8_t *)memory_words;
+    set_up(&w);
+    v->change(&w);
+    const bool by_size = w.memory_kind != FULL_MEMORY;
+    size_t bytes = sizeof memory_words - SPARE;
+    if (by_size) {
+        bytes = be->memory_least_bytes(&w.b.scene, &w.display) - (w.memory_kind == SHORT_MEMORY);
+    }
+    assert_true(bytes > 0 && bytes <= sizeof memory_words - SPARE);
+    memset(memory, FRAME_CANARY_BYTE, sizeof memory_words);
+    memset(&report, FRAME_CANARY_BYTE, sizeof report);
+    memcpy(&before, &w, sizeof w); /* padding included */
+    const int result = be->render(w.scene_argument, w.display_argument, w.quality_argument,
+                                  w.no_memory ? NULL : memory + w.misaligned, bytes, &report);
+    bool good = result == v->expected;
+    if (!good) {
+        printf("%s, %s: returned %d (%s), expected %d\n", v->name, be->name, result, glint_error_text(result),
+               v->expected);
+    }
+    size_t written = 0, past_the_end = 0;
+    for (size_t i = 0; i < sizeof memory_words; i++) {
+        written += memory[i] != FRAME_CANARY_BYTE;
+        past_the_end += i >= bytes && memory[i] != FRAME_CANARY_BYTE;
+    }
+    if (past_the_end) {
+        printf("%s, %s: %zu bytes written behind the memory\n", v->name, be->name, past_the_end);
+        good = false;
+    }
+    if (v->expected == GLINT_OK) {
+        if (w.flushed == 0 || written == 0) {
+            printf("%s, %s: accepted, but nothing drawn\n", v->name, be->name);
+            good = false;
+        }
+        return good;
+    }
+    const uint8_t *const report_bytes = (const uint8_t *)&report;
+    for (size_t i = 0; i < sizeof report; i++) {
+        written += report_bytes[i] != FRAME_CANARY_BYTE;
+    }
+    if (written != 0 || w.flushed != 0 || memcmp(&before, &w, sizeof w) != 0) {
+        printf("%s, %s: refused, but %zu bytes written and %u bands sent\n", v->name, be->name, written, w.flushed);
+        good = false;
+    }
+    return good;
+}
+
+static void test_each_variation_gets_its_code(void **state)
+{
+    (void)state;
+    unsigned wrong = 0;
+    for (size_t i = 0; i < VARIATIONS; i++) {
+        for (int b = 0; b < BACKENDS; b++) {
+            wrong += !behaves(&variations[i], &backends[b]);
+        }
+    }
+    assert_int_equal(wrong, 0);
+}
+
+/* `up` may have any length: only its direction counts. 1 degree off the view direction is not parallel to it. */
+static void test_up_counts_by_direction_alone(void **state)
+{
+    (void)state;
+    static const int16_t lengths[] = {1, 2, 100, 32767};
+    unsigned wrong = 0;
+    for (int b = 0; b < BACKENDS; b++) {
+        for (size_t i = 0; i <= sizeof lengths / sizeof *lengths; i++) {
+            world w;
+            glint_report report;
+            set_up(&w);
+            /* looks along -y but for one part in 57; the last round leaves `up` at its default, (0, 1, 0) */
+            w.b.camera.eye_q16[1] = 57 << 16;
+            w.b.camera.eye_q16[2] = 1 << 16;
+            set_up_vector(&w, 0, i < sizeof lengths / sizeof *lengths ? lengths[i] : 0, 0);
+            const int result =
+                backends[b].render(&w.b.scene, &w.display, &w.quality, memory_words, sizeof memory_words, &report);
+            if (result != GLINT_OK) {
+                printf("%s: up of (0, %d, 0) gave %d\n", backends[b].name, w.b.camera.up[1], result);
+                wrong++;
+            }
+        }
+    }
+    assert_int_equal(wrong, 0);
+}
+
+static void test_sizes_are_0_for_bad_input(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < VARIATIONS; i++) {
+        const variation *v = &variations[i];
+        for (int b = 0; b < BACKENDS; b++) {
+            world w;
+            set_up(&w);
+            v->change(&w);
+            const size_t full = backends[b].memory_bytes(w.scene_argument, w.display_argument);
+            const size_t least = backends[b].memory_least_bytes(w.scene_argument, w.display_argument);
+            if (v->seen_by_sizes ? full != 0 || least != 0
+                                 : v->expected == GLINT_OK && (least == 0 || full < least || full % 4 != 0)) {
+                fail_msg("%s, %s: sizes %zu and %zu", v->name, backends[b].name, full, least);
+            }
+        }
+    }
+}
+
+static bool is_known(int code)
+{
+    return strcmp(glint_error_text(code), "unknown error") != 0;
+}
+
+/* Every code that has a sentence is provoked above, and the other way round. */
+static void test_each_code_has_its_own_sentence(void **state)
+{
+    (void)state;
+    for (int code = -200; code <= 200; code++) {
+        assert_non_null(glint_error_text(code));
+        assert_true(strlen(glint_error_text(code)) > 5);
+        bool provoked = false;
+        for (size_t i = 0; i < VARIATIONS; i++) {
+            provoked = provoked || variations[i].expected == code;
+        }
+        if (provoked != is_known(code)) {
+            fail_msg("code %d: %s, but %s", code, glint_error_text(code), provoked ? "provoked" : "not provoked");
+        }
+        for (int other = -200; other < code; other++) {
+            if (is_known(code) && strcmp(glint_error_text(code), glint_error_text(other)) == 0) {
+                fail_msg("codes %d and %d: %s", code, other, glint_error_text(code));
+            }
+        }
+    }
+    assert_false(is_known(INT_MIN));
+    assert_false(is_known(INT_MAX));
+}
+
+/* GLINT_MEMORY_WORDS is never too little, and not much too much. */
+static void expect_words_bound(const demo_scene *demo, const glint_display *d)
+{
+    const glint_scene *const scene = demo->scene;
+    uint32_t vertices = 0, triangles = 0;
+    for (uint16_t i = 0; i < scene->object_count; i++) {
+        vertices += scene->objects[i].mesh->vertex_count;
+        triangles += scene->objects[i].mesh->triangle_count;
+    }
+    const size_t bound =
+        (size_t)4 * GLINT_MEMORY_WORDS(d->width_px, d->height_px, d->band_px, d->format, d->buffer_count, vertices,
+                                       triangles, scene->object_count, scene->light_count);
+    for (int b = 0; b < BACKENDS; b++) {
+        const size_t bytes = backends[b].memory_bytes(scene, d);
+        if (bytes == 0 || bytes > bound || (double)bound > WORDS_FACTOR * (double)bytes + WORDS_MORE) {
+            printf("%s, %s: %zu bytes, GLINT_MEMORY_WORDS gives %zu (%u objects, %u lights, format %u, band %u)\n",
+                   demo->name, backends[b].name, bytes, bound, scene->object_count, scene->light_count, d->format,
+                   d->band_px);
+            words_wrong++;
+        }
+    }
+}
+
+static void test_memory_words_bound_the_bytes(void **state)
+{
+    (void)state;
+    static const uint16_t bands[] = {8, 16, 104, 240, 2048};
+    static glint_transfers transfers;
+    words_wrong = 0;
+    for (uint16_t i = 0; i < demo_scene_count; i++) {
+        for (uint8_t format = GLINT_RGB888; format <= GLINT_MONO_PAGES; format++) {
+            for (size_t k = 0; k < 2 * sizeof bands / sizeof *bands; k++) {
+                glint_display d = {.width_px = k % 3 ? 239 : 240,
+                                   .height_px = k % 4 ? 240 : 235,
+                                   .band_px = bands[k / 2],
+                                   .format = format,
+                                   .buffer_count = (uint8_t)(1 + k % 2),
+                                   .transfers = &transfers};
+                d.band_px = d.band_px > d.height_px ? d.height_px : d.band_px;
+                expect_words_bound(&demo_scenes[i], &d);
+            }
+        }
+    }
+    assert_int_equal(words_wrong, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_each_variation_gets_its_code), cmocka_unit_test(test_up_counts_by_direction_alone),
+        cmocka_unit_test(test_sizes_are_0_for_bad_input),    cmocka_unit_test(test_each_code_has_its_own_sentence),
+        cmocka_unit_test(test_memory_words_bound_the_bytes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
