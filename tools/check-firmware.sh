@@ -30,8 +30,6 @@ forbid "libm" '(a?(sin|cos|tan)h?|atan2|sqrt|cbrt|pow|exp2?|expm1|log(2|10|1p)?|
 forbid "the float backend" 'glint_float_.*'
 # Run-time ABI for the Arm Architecture, 4.1.2: fadd, dmul, i2f, f2iz, d2f ...; and libgcc's own names.
 forbid "soft float" '__aeabi_([fd](add|sub|rsub|mul|div|cmp.*|2.*)|c[fd](r?cmp.*)|u?[il]2[fd]|[hf]2.*)|__(add|sub|mul|div|neg|eq|ne|lt|le|gt|ge|unord|fix|fixuns|float|floatun|extend|trunc)[a-z]*[sdt]f[a-z0-9]*'
-# Not forbidden in set-up, but worth seeing: some 700 bytes of flash and hundreds of cycles a division.
-if found=$(grep -Ex '__aeabi_u?ldivmod|__u?(div|mod)(mod)?di[34]' <<<"$symbols"); then
-    echo "note: 64-bit division is linked:" $found
-fi
+# Some 700 bytes of flash and hundreds of cycles a division.
+forbid "64-bit division" '__aeabi_u?ldivmod|__u?(div|mod)(mod)?di[34]'
 exit $status

@@ -27,7 +27,7 @@ glint_place glint_scale(int32_t x_q16, int32_t y_q16, int32_t z_q16);
 
 /*
  * `first`, then `second`: the place whose effect is second(first(p)). Entries are rounded to Q16 (0.51 ulp from the
- * exact product of the given bits) and saturate at the int32 limits.
+ * exact product of the given bits) and saturate at the int32 limits. An all-zero linear part is read as the identity.
  */
 glint_place glint_then(const glint_place *first, const glint_place *second);
 

@@ -126,7 +126,7 @@ static void test_diffuse_is_the_cosine(void **state)
 static void test_no_light_at_or_below_the_horizon(void **state)
 {
     (void)state;
-    static const int16_t directions[][3] = {{-1, 0, 0},     {1, 0, 0},      {0, -32767, 0}, {5, 7, 0}, {0, 0, 1},
+    static const int16_t directions[][3] = {{-1, 0, 0},     {1, 0, 0},     {0, -32767, 0}, {5, 7, 0},        {0, 0, 1},
                                             {-3000, 0, 10}, {0, 32767, 1}, {3, 4, 12},     {1, 1, INT16_MAX}};
     static const uint16_t exponents[] = {0, 1, 16, 320, 16384};
     for (size_t i = 0; i < sizeof directions / sizeof *directions; i++) {
@@ -170,6 +170,7 @@ static void test_specular_at_the_mirror_direction(void **state)
         b.material.specular_model = e % 2 ? GLINT_BLINN : GLINT_PHONG;
         expect_centre(&b, GLINT_SHADING_EXACT, 16000 / 16384.0, TERM, "head-on");
         /* eye at (3, 0, 4), light from (-3, 0, 4) */
+        b.camera.field_of_view_turn16 = 2000; /* so that the board still fills the picture */
         b.camera.eye_q16[0] = BOARD_Q16(3);
         b.camera.eye_q16[2] = BOARD_Q16(4);
         board_light(&b, 0, 3000, 0, -4000);
@@ -207,6 +208,7 @@ static void test_specular_away_from_the_mirror_direction(void **state)
     board b;
     board_set_up(&b);
     b.material.specular = board_grey(16384);
+    b.camera.field_of_view_turn16 = 2000; /* so that the board still fills the picture */
     b.camera.eye_q16[0] = BOARD_Q16(8);
     board_light(&b, 0, -8000, 0, -3000); /* light and eye on one side: r is on the other */
     for (uint16_t exponent = 1; exponent <= 64; exponent = (uint16_t)(exponent * 2)) {
@@ -305,4 +307,125 @@ static void test_point_light_on_the_surface(void **state)
         expect_centre(&b, GLINT_SHADING_FLAT, 0.25, TERM, "light in the surface's plane");
         expect_centre(&b, GLINT_SHADING_GOURAUD, 0.25, TERM, "light in the surface's plane");
     }
+}
+
+/* Each of many lights gives its share; the sum is clamped once, at its end. */
+static void test_sum_of_many_lights(void **state)
+{
+    (void)state;
+    static glint_light lights[GLINT_MAX_LIGHTS];
+    board b;
+    board_set_up(&b);
+    b.scene.lights = lights;
+    for (int i = 0; i < GLINT_MAX_LIGHTS; i++) {
+        lights[i] = b.light[0];
+    }
+    b.material.diffuse = b.material.specular = board_grey(16384);
+    for (int n = 0; n < 9; n++) {
+        static const uint16_t counts[] = {1, 2, 3, 10, 63, 64, 65, 500, 4096};
+        b.scene.light_count = counts[n];
+        for (int i = 0; i < counts[n]; i++) {
+            lights[i].colour = board_grey(32767);
+        }
+        b.material.ambient = b.scene.ambient = board_grey(16384);
+        expect_all(&b, 1, 0, "saturated");
+        /* thirds of 1 in diffuse, specular (exponent 0) and ambient light, as near as Q14 comes */
+        const int share = 16384 / 3 / counts[n];
+        for (int i = 0; i < counts[n]; i++) {
+            lights[i].colour = board_grey(share);
+        }
+        b.material.ambient = board_grey(5461);
+        expect_all(&b, 2.0 * share * counts[n] / 16384 + 5461 / 16384.0, TERM, "shares");
+    }
+    /* an intensity of 2 at 60 degrees is 1, not 1/2: it is not clamped by itself */
+    b.scene.light_count = 1;
+    b.scene.ambient = b.material.specular = board_grey(0);
+    b.material.diffuse = board_grey(12000);
+    lights[0].colour = board_grey(32767);
+    lights[0].direction[0] = 1732;
+    lights[0].direction[2] = -1000;
+    const double cosine = 1000 / sqrt(1732.0 * 1732 + 1e6);
+    expect_all(&b, 32767 / 16384.0 * 12000 / 16384 * cosine, TERM, "intensity of 2 aslant");
+}
+
+/* Coloured light on a coloured surface: red has nothing to do with green and blue. */
+static void test_channels_are_independent(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    for (int n = 0; n < 200; n++) {
+        int16_t v[6][3];
+        double l[3];
+        board b;
+        board_set_up(&b);
+        board_light(&b, 0, 0, -600, -800);
+        for (int i = 0; i < 18; i++) {
+            const uint32_t random = random_u24(&seed);
+            v[i / 3][i % 3] = (int16_t)(random % 4 == 0 ? 0 : random % 16385);
+        }
+        for (int k = 0; k < 3; k++) {
+            const double ambient = (double)v[0][k] * v[1][k], diffuse = (double)v[2][k] * v[4][k] * 0.8;
+            const double specular = (double)v[3][k] * v[4][k] * 0.8 * 0.8; /* r.c is 0.8, the exponent 2 */
+            const double second = (double)v[2][k] * v[5][k] + (double)v[3][k] * v[5][k];
+            l[k] = (ambient + diffuse + specular + second) / 16384 / 16384;
+        }
+        b.scene.ambient = (glint_colour){v[0][0], v[0][1], v[0][2]};
+        b.material.ambient = (glint_colour){v[1][0], v[1][1], v[1][2]};
+        b.material.diffuse = (glint_colour){v[2][0], v[2][1], v[2][2]};
+        b.material.specular = (glint_colour){v[3][0], v[3][1], v[3][2]};
+        b.light[0].colour = (glint_colour){v[4][0], v[4][1], v[4][2]};
+        b.light[1].colour = (glint_colour){v[5][0], v[5][1], v[5][2]};
+        b.material.exponent_q4 = 2 * 16;
+        b.scene.light_count = 2;
+        expect_at(&b, GLINT_SHADING_EXACT, CENTRE, l, TERM, "colours");
+    }
+}
+
+static void test_black_light_and_light_from_behind_change_nothing(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 12; n++) {
+        board one, more;
+        board_set_up(&one);
+        one.material.ambient = one.scene.ambient = board_grey(3000);
+        one.material.diffuse = board_grey(6000);
+        one.material.specular = board_grey(5000);
+        one.material.exponent_q4 = (uint16_t)(n * 20);
+        one.material.specular_model = (uint8_t)(n % 2);
+        board_light(&one, 0, -3 + n, 2, -7);
+        more = one;
+        more.object.material = &more.material;
+        more.object.mesh = &one.mesh;
+        more.scene.camera = &one.camera;
+        more.scene.objects = &more.object;
+        more.scene.lights = more.light;
+        more.scene.light_count = 4;
+        more.light[1].colour = board_grey(0);
+        board_light(&more, 2, n, 3, 1); /* n.s < 0: must not take from the first */
+        board_light(&more, 3, 0, 0, 1);
+        more.light[3].kind = GLINT_POINT;
+        more.light[3].position_q16[2] = -BOARD_Q16(2);
+        expect_same(&one, &more);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_ambient_alone),
+        cmocka_unit_test(test_diffuse_is_the_cosine),
+        cmocka_unit_test(test_no_light_at_or_below_the_horizon),
+        cmocka_unit_test(test_exponent_0_is_1_wherever_lit),
+        cmocka_unit_test(test_specular_at_the_mirror_direction),
+        cmocka_unit_test(test_specular_is_the_power_of_the_cosine),
+        cmocka_unit_test(test_specular_away_from_the_mirror_direction),
+        cmocka_unit_test(test_greater_exponent_is_narrower),
+        cmocka_unit_test(test_half_vector_that_does_not_exist),
+        cmocka_unit_test(test_point_light),
+        cmocka_unit_test(test_point_light_on_the_surface),
+        cmocka_unit_test(test_sum_of_many_lights),
+        cmocka_unit_test(test_channels_are_independent),
+        cmocka_unit_test(test_black_light_and_light_from_behind_change_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -16,6 +16,10 @@ run-tests: $(TESTS) $(B)/glint-render $(TOOLS) ## Build and run the tests with w
 	@GLINT_BUILD=$(B) GLINT_RENDER=$(B)/glint-render GLINT_COMPARE=$(B)/glint-compare GLINT_IMPORT=$(B)/glint-import \
 		tools/check-tests.sh $(JOBS) $(TESTS)
 
+.PHONY: golden
+golden: $(B)/tests/image/test_same_image ## Take what the fixed backend draws now as golden; look at build/demo first
+	tests/image/write-golden.sh $(B)
+
 .PHONY: coverage
 coverage: ## Line and branch coverage of src/ by the tests (needs gcovr)
 	@command -v gcovr >/dev/null || { echo "make coverage needs gcovr: apt-get install gcovr" >&2; exit 1; }
