@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Prints src/number/tables.c, the constant tables of the number routines. Each entry is computed in double precision from
- * the formula beside it and rounded to nearest; none is typed in.
+ * Prints src/number/tables.c, the constant tables of the number routines. Each entry is computed in double precision
+ * from the formula beside it and rounded to nearest; none is typed in.
  *
  * Usage: generate-tables > src/number/tables.c
  */

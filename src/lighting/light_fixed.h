@@ -176,9 +176,9 @@ static inline bool light_towards(const light_place *light, const surface *at, re
     for (int k = 0; k < 3; k++) {
         const real product = multiply_high_s32(light->v[k], at->inverse); /* <= 2^28 */
         if (finer >= 0) {
-            v[k] = (finer > 31 ? 0 : product >> finer) - at->ray[k];
+            v[k] = (finer > 30 ? 0 : product >> finer) - at->ray[k];
         } else {
-            v[k] = product - (finer < -31 ? 0 : at->ray[k] >> -finer);
+            v[k] = product - (finer < -30 ? 0 : at->ray[k] >> -finer);
         }
     }
     return unit(v, out);

@@ -36,8 +36,8 @@ static void check_triangle(const frame_state *state, const object_state *object,
     }
     const int32_t corners[3][2] = {
         {s.corner[0].x, s.corner[0].y}, {s.corner[1].x, s.corner[1].y}, {s.corner[2].x, s.corner[2].y}};
-    memset(triangle, 0, (size_t)(width * height));
-    memset(spanned, 0, (size_t)(width * height));
+    memset(triangle, 0, (size_t)width * (size_t)height);
+    memset(spanned, 0, (size_t)width * (size_t)height);
     assert_true(reference_cover(corners, width, height, mark_expected, triangle) >= 0);
 
     glint_edges edges;
@@ -50,7 +50,7 @@ static void check_triangle(const frame_state *state, const object_state *object,
             spanned[y * width + x] = 1;
         }
     }
-    assert_memory_equal(spanned, triangle, (size_t)(width * height));
+    assert_memory_equal(spanned, triangle, (size_t)width * (size_t)height);
     triangles_seen++;
 }
 

@@ -61,13 +61,16 @@ static void test_every_band_height(void **state)
     const demo_scene *demo = demo_scene_named("room");
     assert_non_null(demo);
     for (int backend = 0; backend < FRAME_BACKENDS; backend++) {
-        for (uint8_t format = GLINT_RGB888; format <= GLINT_GREY4; format++) {
+        for (int format = GLINT_RGB888; format <= GLINT_GREY4; format++) {
             frame whole = {
-                .display = {.width_px = 61, .height_px = 43, .format = format, .dither = GLINT_DITHER_BAYER}};
+                .display = {.width_px = 61, .height_px = 43, .format = (uint8_t)format, .dither = GLINT_DITHER_BAYER}};
             assert_int_equal(frame_draw(&whole, demo->scene, backend), 0);
             for (uint16_t band = 1; band <= 43; band++) {
-                const glint_display display = {
-                    .width_px = 61, .height_px = 43, .format = format, .dither = GLINT_DITHER_BAYER, .band_px = band};
+                const glint_display display = {.width_px = 61,
+                                               .height_px = 43,
+                                               .format = (uint8_t)format,
+                                               .dither = GLINT_DITHER_BAYER,
+                                               .band_px = band};
                 expect_same(demo, backend, &whole, display, 0);
             }
             frame_free(&whole);
@@ -96,8 +99,9 @@ static void test_fixed_bits(void **state)
     for (uint16_t i = 0; i < demo_scene_count; i++) {
         const demo_scene *demo = &demo_scenes[i];
         uint64_t hash[3];
-        for (uint8_t shading = GLINT_SHADING_EXACT; shading <= GLINT_SHADING_FLAT; shading++) {
-            frame f = {.display = {.width_px = demo->width_px, .height_px = demo->height_px}, .shading = shading};
+        for (int shading = GLINT_SHADING_EXACT; shading <= GLINT_SHADING_FLAT; shading++) {
+            frame f = {.display = {.width_px = demo->width_px, .height_px = demo->height_px},
+                       .shading = (uint8_t)shading};
             assert_int_equal(frame_draw(&f, demo->scene, FRAME_FIXED), 0);
             hash[shading] = frame_hash(&f);
             frame_free(&f);

@@ -75,7 +75,7 @@ static void exact_coordinates(const glint_gradients *g, int x, int y, long doubl
 {
     const int64_t px = (int64_t)x * GLINT_FINE + GLINT_FINE / 2, py = (int64_t)y * GLINT_FINE + GLINT_FINE / 2;
     for (int i = 0; i < 2; i++) {
-        const glint_screen_vertex *from = g->corner[i ? 0 : 2], *to = g->corner[i ? 1 : 0];
+        const glint_screen_vertex *from = &g->corner[i ? 0 : 2], *to = &g->corner[i ? 1 : 0];
         const int64_t dx = (int64_t)to->x - from->x, dy = (int64_t)to->y - from->y;
         b[i] = (long double)(dx * (py - from->y) - dy * (px - from->x)) / (long double)g->area;
         slope[i][0] = (long double)(-dy * GLINT_FINE) / (long double)g->area;
@@ -139,8 +139,8 @@ static void check_gradients(const triangle *t, tally *all)
     exact_coordinates(g, 0, 0, b, slope);
     assert_in_range(g->bits, 26, 30);
     assert_true(g->offset_x >= -2047 && g->offset_x <= 2048 && g->offset_y >= -2047 && g->offset_y <= 2048);
-    assert_int_equal(g->anchor_x * GLINT_FINE + GLINT_FINE / 2 - g->corner[0]->x, g->offset_x);
-    assert_int_equal(g->anchor_y * GLINT_FINE + GLINT_FINE / 2 - g->corner[0]->y, g->offset_y);
+    assert_int_equal(g->anchor_x * GLINT_FINE + GLINT_FINE / 2 - g->corner[0].x, g->offset_x);
+    assert_int_equal(g->anchor_y * GLINT_FINE + GLINT_FINE / 2 - g->corner[0].y, g->offset_y);
     for (int i = 0; i < 2; i++) {
         const int32_t stored[2] = {g->x[i], g->y[i]};
         for (int k = 0; k < 2; k++) {
@@ -251,7 +251,7 @@ static void check_depth_at(const triangle *t, int16_t x, int16_t y, void *contex
     int32_t depth, weight[2];
     if (g->sliver) {
         glint_gradients_weights(g, x, y, weight);
-        depth = glint_plane_weigh(weight, g->corner[0]->depth_q30, g->corner[1]->depth_q30, g->corner[2]->depth_q30);
+        depth = glint_plane_weigh(weight, g->corner[0].depth_q30, g->corner[1].depth_q30, g->corner[2].depth_q30);
     } else {
         depth = glint_plane_at(&all->depth, g, x, y);
     }
@@ -277,8 +277,8 @@ static void depths_stay_within_their_margins(void **state)
             continue;
         }
         if (!t.gradients.sliver) {
-            glint_plane_set_up(&all.depth, &t.gradients, t.gradients.corner[0]->depth_q30,
-                               t.gradients.corner[1]->depth_q30, t.gradients.corner[2]->depth_q30);
+            glint_plane_set_up(&all.depth, &t.gradients, t.gradients.corner[0].depth_q30,
+                               t.gradients.corner[1].depth_q30, t.gradients.corner[2].depth_q30);
         }
         at_covered_pixels(&t, check_depth_at, &all);
     }

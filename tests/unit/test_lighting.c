@@ -95,7 +95,7 @@ static void test_ambient_alone(void **state)
         }
         b.material.ambient = (glint_colour){r[0], r[1], r[2]};
         b.scene.ambient = (glint_colour){i[0], i[1], i[2]};
-        b.scene.light_count = n % 2; /* the material is black to the light */
+        b.scene.light_count = n % 2 ? 1 : 0; /* the material is black to the light */
         expect_at(&b, (uint8_t)(n % 3), n % (BOARD_PX * BOARD_PX), l, PRODUCT, "ambient");
     }
 }
@@ -291,7 +291,7 @@ static void test_point_light(void **state)
     }
 }
 
-/* A light in the board's own plane: n.s is 0 everywhere, and where it stands on a point there is no direction to it. */
+/* A light on the very point that is seen: there is no direction to it, and it gives nothing there. */
 static void test_point_light_on_the_surface(void **state)
 {
     (void)state;
@@ -304,9 +304,22 @@ static void test_point_light_on_the_surface(void **state)
         b.material.specular_model = (uint8_t)model;
         b.light[0].kind = GLINT_POINT;
         expect_centre(&b, GLINT_SHADING_EXACT, 0.25, TERM, "light on the surface");
-        expect_centre(&b, GLINT_SHADING_FLAT, 0.25, TERM, "light in the surface's plane");
-        expect_centre(&b, GLINT_SHADING_GOURAUD, 0.25, TERM, "light in the surface's plane");
     }
+}
+
+/* A light in the board's own plane: n.s is 0 at all other points, and r.c below 0. */
+static void test_point_light_in_the_plane(void **state)
+{
+    (void)state;
+    board b;
+    board_set_up(&b);
+    b.material.ambient = b.scene.ambient = board_grey(8192);
+    b.material.diffuse = b.material.specular = board_grey(16384);
+    b.material.exponent_q4 = 16;
+    b.light[0].kind = GLINT_POINT;
+    b.light[0].position_q16[0] = BOARD_Q16(0.7);
+    b.light[0].position_q16[1] = BOARD_Q16(15);
+    expect_all(&b, 0.25, TERM, "light in the surface's plane");
 }
 
 /* Each of many lights gives its share; the sum is clamped once, at its end. */
@@ -423,6 +436,7 @@ int main(void)
         cmocka_unit_test(test_half_vector_that_does_not_exist),
         cmocka_unit_test(test_point_light),
         cmocka_unit_test(test_point_light_on_the_surface),
+        cmocka_unit_test(test_point_light_in_the_plane),
         cmocka_unit_test(test_sum_of_many_lights),
         cmocka_unit_test(test_channels_are_independent),
         cmocka_unit_test(test_black_light_and_light_from_behind_change_nothing),

@@ -177,7 +177,7 @@ static void test_mirrored_scene_is_the_mirrored_picture(void **state)
         set_lit_board(&b);
         b.object.mesh = &glint_mesh_sphere_32x16;
         b.object.place = turned;
-        b.object.place.origin_q16[2] = BOARD_Q16(2);
+        b.object.place.origin_q16[2] = BOARD_Q16(2.9);
         frame right = left;
         assert_int_equal(frame_draw(&left, &b.scene, n % 2), 0);
         b.object.place = glint_then(&b.object.place, &mirror);

@@ -17,6 +17,6 @@
  * Returns 0, or 1 with a message on stderr and nothing printed: more than 65,535 vertices or triangles; a triangle
  * without area after quantisation; a normal at 90 degrees or more from a face that uses it; a failed write.
  */
-int mesh_write(FILE *out, const shape *mesh, const char *name, const char *command);
+int mesh_write(FILE *out, const shape *from, const char *name, const char *command);
 
 #endif
