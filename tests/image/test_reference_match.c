@@ -17,6 +17,7 @@
 
 #include "examples/scenes/scenes.h"
 #include "tests/reference/reference.h"
+#include "tools/import/import.h"
 
 static void match(const demo_scene *demo, int shading, double codes, double share)
 {
@@ -107,12 +108,33 @@ static void test_clipped_scenes_within_one_code(void **state)
     }
 }
 
+/* Model files, through the importer. */
+static void test_imported_models_within_one_code(void **state)
+{
+    (void)state;
+    static const char *const paths[] = {"tests/models/cube.obj", "tests/models/no-normals.obj",
+                                        "tests/models/rough.obj", "tests/models/corner.gltf", "tests/models/tile.dae"};
+#ifndef GLINT_HAVE_ASSIMP
+    skip();
+#endif
+    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
+        imported_scene *imported = NULL;
+        char error[300];
+        if (import_scene(paths[i], &imported, error, sizeof error) != 0) {
+            fail_msg("%s: %s", paths[i], error);
+        }
+        const demo_scene model = {paths[i], "", imported_scene_view(imported), 200, 150};
+        match(&model, GLINT_SHADING_EXACT, PLAIN_CODES, CONTESTED_SHARE);
+        imported_scene_free(imported);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_exact_within_one_code),          cmocka_unit_test(test_gouraud_within_one_code),
         cmocka_unit_test(test_flat_within_one_code),           cmocka_unit_test(test_turned_scenes_within_one_code),
-        cmocka_unit_test(test_clipped_scenes_within_one_code),
+        cmocka_unit_test(test_clipped_scenes_within_one_code), cmocka_unit_test(test_imported_models_within_one_code),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
