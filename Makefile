@@ -41,7 +41,7 @@ endif
 LIBRARY_FLAGS = $(STRICT) -ffreestanding -ffunction-sections -fdata-sections -Iinclude -Isrc $(CFLAGS)
 HOST_INCLUDES := -Iinclude -Isrc -I.
 HOST_FLAGS = $(STRICT) -D_POSIX_C_SOURCE=200809L $(HOST_INCLUDES) $(OPTIONAL_FLAGS) $(CFLAGS)
-TEST_LIBS = $(shell pkg-config --libs cmocka libcjson 2>/dev/null || echo -lcmocka -lcjson)
+TEST_LIBS = $(shell pkg-config --libs cmocka libcjson 2>/dev/null || echo -lcmocka -lcjson) -pthread
 
 # -------------------------------------------------------------------------------------------------------------- sources
 

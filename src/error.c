@@ -53,7 +53,7 @@ const char *glint_error_text(int error)
     case GLINT_ERROR_CAMERA_DIRECTION:
         return "the camera's eye and target are the same point";
     case GLINT_ERROR_CAMERA_UP:
-        return "the camera's up direction is parallel to its view direction";
+        return "the camera's up direction lies within 0.1 degrees of its view direction";
     case GLINT_ERROR_CAMERA_FIELD:
         return "the camera's field of view is not 1..170 degrees";
     case GLINT_ERROR_CAMERA_NEAR:

@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Installs what the tests or the checks need and the system does not have: tools/install-packages.sh test|verify
+# Installs what the tests, the checks or the emulated targets need and the system does not have:
+# tools/install-packages.sh test|verify|targets
 #
 # Each need is probed (a command that runs, a header and library that link), so nothing is asked of the package manager
 # when all is there. Says what it installs and why. Runs as root or with a sudo that asks for no password; without
@@ -10,9 +11,9 @@ set -eu
 
 stage=${1:-}
 case $stage in
-test | verify) ;;
+test | verify | targets) ;;
 *)
-    echo "usage: tools/install-packages.sh test|verify" >&2
+    echo "usage: tools/install-packages.sh test|verify|targets" >&2
     exit 2
     ;;
 esac
@@ -41,6 +42,12 @@ has_target() {
     has_command "$1" || return 1
     # shellcheck disable=SC2086 # flags are several words
     echo "#include <$3>" | "$1" $2 -c -x c - -o "$work/probe.o" >/dev/null 2>&1
+}
+
+# has_program COMMAND FLAGS: the cross compiler links a program with its C library.
+has_program() {
+    has_command "$1" || return 1
+    echo 'int main(void) { return 0; }' | "$1" "$2" -x c - -o "$work/probe" >/dev/null 2>&1
 }
 
 has_compiler() {
@@ -74,6 +81,11 @@ needs_verify() {
     need "has_command clang-tidy" "static analysis" clang-tidy clang-tools-extra clang clang-extra-tools clang-tools llvm
     need "has_command clang-format" "format check" clang-format clang-tools-extra clang clang-extra-tools clang-tools llvm
     need "has_command cppcheck" "static analysis" cppcheck cppcheck cppcheck cppcheck cppcheck cppcheck
+    needs_cross
+}
+
+# The processors that both `make cross` and `make targets` compile for.
+needs_cross() {
     need "has_target arm-none-eabi-gcc -mcpu=cortex-m0plus\ -mthumb string.h" "Cortex-M compiler and C library" \
         "gcc-arm-none-eabi libnewlib-arm-none-eabi" "arm-none-eabi-gcc-cs arm-none-eabi-newlib" \
         "arm-none-eabi-gcc arm-none-eabi-newlib" "gcc-arm-none-eabi newlib-arm-none-eabi" \
@@ -89,6 +101,23 @@ needs_verify() {
         picolibc-riscv64-unknown-elf - riscv64-elf-newlib newlib-riscv-none-elf - -
     need "has_target avr-gcc -mmcu=atmega1284p avr/pgmspace.h" "AVR compiler and C library" \
         "gcc-avr avr-libc" "avr-gcc avr-libc" "avr-gcc avr-libc" "gcc-avr avr-libc" "cross-avr-gcc12 avr-libc" avr-gcc
+}
+
+needs_targets() {
+    need "has_compiler $cc c" "compiles for the host" "gcc libc6-dev" gcc gcc "gcc musl-dev" gcc gcc
+    need "has_command bash" "runs the emulators" bash bash bash bash bash bash
+    needs_cross
+    need "has_program s390x-linux-gnu-gcc -static" "s390x compiler and C library (big-endian)" \
+        "gcc-s390x-linux-gnu libc6-dev-s390x-cross" - - - - -
+    need "has_program i686-linux-gnu-gcc -static" "32-bit x86 compiler and C library" \
+        "gcc-i686-linux-gnu libc6-dev-i386-cross" - - - - -
+    need "has_command qemu-system-arm" "Cortex-M emulator" \
+        qemu-system-arm qemu-system-arm-core qemu-system-arm qemu-system-arm qemu-arm qemu
+    need "has_command qemu-system-riscv32" "RISC-V emulator" \
+        qemu-system-misc qemu-system-riscv-core qemu-system-riscv qemu-system-riscv32 qemu-extra qemu
+    need "has_command qemu-s390x" "s390x emulator" qemu-user qemu-user qemu-user qemu-s390x qemu-linux-user -
+    need "has_command qemu-i386" "32-bit x86 emulator" qemu-user qemu-user qemu-user qemu-i386 qemu-linux-user -
+    need "has_command simavr" "AVR emulator" simavr simavr - - - simavr
 }
 
 manager=

@@ -47,7 +47,7 @@ typedef enum glint_error {
 
     /* camera */
     GLINT_ERROR_CAMERA_DIRECTION = -50, /* eye equals target */
-    GLINT_ERROR_CAMERA_UP = -51,        /* up is zero or parallel to the view direction */
+    GLINT_ERROR_CAMERA_UP = -51,        /* up lies within 0.1 degrees of the view direction */
     GLINT_ERROR_CAMERA_FIELD = -52,     /* field of view outside 1..170 degrees */
     GLINT_ERROR_CAMERA_NEAR = -53,      /* near plane not in front of the eye, or out of range */
     GLINT_ERROR_CAMERA_RANGE = -54,     /* eye or target out of range */

@@ -13,9 +13,10 @@
  * B. T. Phong, "Illumination for computer generated pictures", CACM 18(6), 1975; in the form of the lecture slides by
  * L. Sigal, CSCD18, 2008. A larger alpha makes the highlight narrower. With GLINT_BLINN, max(0, n.h_j)^alpha stands
  * in the place of max(0, r_j.c)^alpha, h_j the unit vector along s_j + c (J. F. Blinn, SIGGRAPH 1977); where s_j = -c
- * there is no h and no specular term. 0^0 is 1: with alpha = 0 the specular term is 1 wherever n.s_j > 0.
- * L is clamped to 0..1 once, after the sum. A displayed code is round(255 L): the model works on display codes, with
- * no gamma conversion.
+ * there is no h and no specular term. A point light that stands on the surface point (nearer to it than 2^-15 of the
+ * point's distance from the eye) has no direction there and adds neither term. 0^0 is 1: with alpha = 0 the specular
+ * term is 1 wherever n.s_j > 0. L is clamped to 0..1 once, after the sum. A displayed code is round(255 L): the model
+ * works on display codes, with no gamma conversion.
  */
 #ifndef GLINT_SCENE_H
 #define GLINT_SCENE_H
@@ -104,7 +105,8 @@ typedef struct glint_light {
 typedef struct glint_camera {
     int32_t eye_q16[3];            /* world position, Q16; |.| <= 2^30 */
     int32_t target_q16[3];         /* a point that the camera looks at, not the eye; |.| <= 2^30 */
-    int16_t up[3];                 /* a direction that is up on the display, any length; zero: (0, 1, 0) */
+    int16_t up[3];                 /* a direction that is up on the display, any length, at least 0.1 degrees off
+                                    * the view direction; zero: (0, 1, 0) */
     uint16_t field_of_view_turn16; /* vertical, in 1/65536 turn: 45 degrees is 8192; 182 (1 degree)..30947 (170) */
     int32_t near_q16;              /* distance of the near plane along the view direction, Q16: 64 (1/1024)..2^30.
                                     * Depth is stored as near / Z in 16 bits, so put it as far out as the scene allows. */

@@ -11,7 +11,10 @@
 #include <glint/display.h>
 
 /* Waits until fewer than `count` transfers are under way. */
-void glint_flush_wait(const glint_display *display, uint8_t count);
+void glint_flush_wait(const glint_display *display, int8_t count);
+
+/* Waits until no transfer is under way, and leaves the counters equal. */
+void glint_flush_finish(const glint_display *display);
 
 /* Calls the display's flush function; returns what it returned. */
 int glint_flush_band(const glint_display *display, const glint_band *band);

@@ -125,6 +125,9 @@ void glint_pack_clear(const glint_target *target, uint16_t width, uint16_t rows,
             continue;
         }
         const uint16_t first = width < 8 ? width : 8;
+        if (first < 8 && !pages) {
+            memset(row, 0, bytes); /* the half byte that an odd number of 4-bit pixels leaves */
+        }
         for (uint16_t x = 0; x < first; x++) {
             pack_pixel(target, row, (int16_t)x, display_y, shade);
         }

@@ -36,11 +36,14 @@ static bool camera_basis(const glint_camera *camera, int32_t basis_q30[3][3], in
         return false;
     }
     cross(basis_q30[2], up, v);
-    /* parallel but for rounding: sine below 2^-20 for the longest `up`, below 2^-5 for (1, 0, 0) */
-    bool parallel = true;
+    /* parallel: no component of the product reaches 2^-10 of what it could, so the sine is below 0.0017 (0.1 degrees).
+     * Nearer, the rounding of the view direction would turn the picture by more than a sub-pixel. */
+    uint64_t product = 0, length = 0;
     for (int k = 0; k < 3; k++) {
-        parallel = parallel && magnitude64(v[k]) < ((uint64_t)1 << 25);
+        product = magnitude64(v[k]) > product ? magnitude64(v[k]) : product;
+        length = magnitude32(up[k]) > length ? magnitude32(up[k]) : length;
     }
+    const bool parallel = product < length << 20;
     if (parallel || !glint_unit_q30(v, basis_q30[0])) {
         *error = GLINT_ERROR_CAMERA_UP;
         return false;
@@ -196,15 +199,15 @@ static int determinant_sign(int32_t linear_q16[3][3], int64_t cofactor[3][3])
             greatest = entry > greatest ? entry : greatest;
         }
     }
-    /* entries to 2^26 for precision; cofactors to 2^50 by twice that shift, halved in number by 2^20 for the product */
-    const int up = 26 - bit_length64(greatest);
+    /* entries to 27 bits for precision; cofactors, below 2^55 then, to 32 bits for the product */
+    const int up = 27 - bit_length64(greatest);
     int64_t determinant = 0;
     for (int k = 0; k < 3; k++) {
-        determinant += shift_round64(linear_q16[0][k], up) * shift_round64(cofactor[0][k], 2 * up - 20); /* < 2^60 */
+        determinant += shift_round64(linear_q16[0][k], up) * shift_round64(cofactor[0][k], 2 * up - 23); /* < 2^59 */
     }
-    /* m in [2^25, 2^26): m^3 2^-24 2^-20 is in [2^31, 2^34) */
+    /* m in [2^26, 2^27): m^3 2^-24 2^-23 is in [2^31, 2^34) */
     const uint64_t m = (uint64_t)greatest << up;
-    const uint64_t limit = (((m * m) >> 32) * m) >> 12;
+    const uint64_t limit = (((m * m) >> 32) * m) >> 15;
     return magnitude64(determinant) < limit || determinant == 0 ? 0 : determinant > 0 ? 1 : -1;
 }
 

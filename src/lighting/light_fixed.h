@@ -166,13 +166,18 @@ static inline void light_place_position(light_place *place, const glint_frame *f
     }
 }
 
-/* Unit vector from the surface to a point light: along position inverse - ray. False if they are the same point. */
+/*
+ * Unit vector from the surface to a point light: along position inverse - ray. False where the difference is below
+ * 2^-15 of the ray, about what rounding of the inverse distance leaves of it: light and surface are then the same
+ * point.
+ */
 static inline bool light_towards(const light_place *light, const surface *at, real out[3])
 {
     /* the product has this many fractional bits; the coarser of the two sets the sum's */
     const int fraction = light->fraction + at->inverse_fraction - 32;
     const int finer = fraction - at->ray_fraction;
     real v[3];
+    uint32_t whole = 0, difference = 0;
     for (int k = 0; k < 3; k++) {
         const real product = multiply_high_s32(light->v[k], at->inverse); /* <= 2^28 */
         if (finer >= 0) {
@@ -180,8 +185,10 @@ static inline bool light_towards(const light_place *light, const surface *at, re
         } else {
             v[k] = product - (finer < -30 ? 0 : at->ray[k] >> -finer);
         }
+        difference |= magnitude32(v[k]);
+        whole |= magnitude32(finer >= 0 ? at->ray[k] : product);
     }
-    return unit(v, out);
+    return difference > whole >> 15 && unit(v, out);
 }
 
 #endif

@@ -158,7 +158,8 @@ static inline bool light_towards(const light_place *light, const surface *at, re
 {
     const real v[3] = {light->v[0] * at->inverse - at->ray[0], light->v[1] * at->inverse - at->ray[1],
                        light->v[2] * at->inverse - at->ray[2]};
-    return unit(v, out);
+    const float limit = 1.0f / 32768;
+    return cosine_of(v, v) > cosine_of(at->ray, at->ray) * (limit * limit) && unit(v, out);
 }
 
 #endif

@@ -80,9 +80,9 @@ static void fail_triangle(const glint_point corner[3], const picture *actual, co
 {
     for (int i = 0; i < actual->width * actual->height; i++) {
         if (actual->count[i] != expected->count[i]) {
-            fail_msg("(%d, %d) (%d, %d) (%d, %d) on %d x %d px: pixel (%d, %d) is covered %d times, not %d", corner[0].x,
-                     corner[0].y, corner[1].x, corner[1].y, corner[2].x, corner[2].y, actual->width, actual->height,
-                     i % actual->width, i / actual->width, actual->count[i], expected->count[i]);
+            fail_msg("(%d, %d) (%d, %d) (%d, %d) on %d x %d px: pixel (%d, %d) is covered %d times, not %d",
+                     corner[0].x, corner[0].y, corner[1].x, corner[1].y, corner[2].x, corner[2].y, actual->width,
+                     actual->height, i % actual->width, i / actual->width, actual->count[i], expected->count[i]);
         }
     }
 }
@@ -327,7 +327,7 @@ static void last_pixel_is_the_last_centre(void **state)
         for (size_t i = 0; i < sizeof special / sizeof *special; i++) {
             assert_int_equal(glint_last_pixel(special[i], sizes[s]), last_centre(special[i], sizes[s]));
         }
-        for (int32_t c = -1000; c < sizes[s] * 256 + 1000; c += sizes[s] > 1000 ? 61 : 1) {
+        for (int32_t c = -1000; c<sizes[s] * 256 + 1000; c += sizes[s]> 1000 ? 61 : 1) {
             assert_int_equal(glint_last_pixel(c, sizes[s]), last_centre(c, sizes[s]));
         }
     }

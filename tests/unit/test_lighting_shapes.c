@@ -177,6 +177,8 @@ static void test_mirrored_scene_is_the_mirrored_picture(void **state)
         set_lit_board(&b);
         b.object.mesh = &glint_mesh_sphere_32x16;
         b.object.place = turned;
+        b.object.place.origin_q16[0] = BOARD_Q16(0.13); /* no vertex on a pixel's centre, where the fill rule decides */
+        b.object.place.origin_q16[1] = BOARD_Q16(0.071);
         b.object.place.origin_q16[2] = BOARD_Q16(2.9);
         frame right = left;
         assert_int_equal(frame_draw(&left, &b.scene, n % 2), 0);
@@ -191,7 +193,6 @@ static void test_mirrored_scene_is_the_mirrored_picture(void **state)
                 different += abs(left.pixels[3 * i + k] - right.pixels[3 * other + k]) > 1;
             }
         }
-        /* no vertex lies on a pixel's centre, and the snapping grid is symmetric but for ties */
         assert_int_equal(different, 0);
         assert_true(left.report.pixels_shaded > BOARD_PX * BOARD_PX / 10);
         frame_free(&left);

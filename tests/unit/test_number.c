@@ -190,7 +190,8 @@ static void vector_at_cell_border(int32_t v[3])
 
 static void unit_q15_keeps_its_bound(void **state)
 {
-    static const int32_t special[12] = {0, 1, -1, 2, 3, 32767, 32768, 65535, -65536, INT32_MAX, INT32_MIN, INT32_MIN + 1};
+    static const int32_t special[12] = {0,     1,     -1,     2,         3,         32767,
+                                        32768, 65535, -65536, INT32_MAX, INT32_MIN, INT32_MIN + 1};
     const int32_t zero[3] = {0, 0, 0};
     int32_t untouched[3] = {7, 8, 9};
     unit_worst worst = {0, 0};
@@ -279,8 +280,9 @@ static void check_power(const uint32_t *gap, const long double *log_x, int count
     assert_int_equal(glint_power_q15(UINT32_MAX, exponent_q4), exponent_q4 ? 0 : 32768);
     for (int i = 0; i < count; i++) {
         const int power = glint_power_q15(gap[i], exponent_q4);
-        const long double exact =
-            exponent_q4 == 0 ? 1 : gap[i] >> 31 ? 0 : (long double)exp((double)(log_x[i] * exponent_q4 / 16));
+        const long double exact = exponent_q4 == 0 ? 1
+                                  : gap[i] >> 31   ? 0
+                                                   : (long double)exp((double)(log_x[i] * exponent_q4 / 16));
         const long double error = fabsl(power / 32768.0L - exact);
         if (power > least + POWER_RISE_ULP) {
             fail_msg("gap %08x, exponent %u/16: %d after %d", gap[i], exponent_q4, power, least);
@@ -304,7 +306,7 @@ static void power_keeps_its_bound(void **state)
         check_power(gap, log_x, count, (uint16_t)(whole * 16), &worst);
     }
     for (uint32_t i = 0; i < 256; i++) {
-        check_power(gap, log_x, count, (uint16_t)i, &worst);             /* every sixteenth up to 16 */
+        check_power(gap, log_x, count, (uint16_t)i, &worst);                 /* every sixteenth up to 16 */
         check_power(gap, log_x, count, (uint16_t)(65535 - 257 * i), &worst); /* and all over the range */
     }
     expect_bound("glint_power_q15", worst, POWER_ERROR);

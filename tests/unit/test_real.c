@@ -96,15 +96,16 @@ static void power_is_exact_at_the_ends(void **state)
 
 static void floor_is_that_of_libm(void **state)
 {
-    static const float special[] = {0.0f, -0.0f, 0.5f, -0.5f, 1.0f, -1.0f, 8388607.5f, -8388607.5f,
-                                    0x1p-149f, -0x1p-149f, 0x1.fffffep30f, -0x1.fffffep30f};
+    static const float special[] = {0.0f,       -0.0f,       0.5f,      -0.5f,      1.0f,           -1.0f,
+                                    8388607.5f, -8388607.5f, 0x1p-149f, -0x1p-149f, 0x1.fffffep30f, -0x1.fffffep30f};
     (void)state;
     for (size_t i = 0; i < sizeof special / sizeof *special; i++) {
         assert_true((double)float_floor(special[i]) == floor((double)special[i]));
     }
     for (int round = 0; round < 5000000; round++) {
-        const float value = round & 1 ? float_from_bits((random_u32() & 0x807fffff) | (uint32_t)random_between(0, 157) << 23)
-                                      : (float)random_between(-70000, 70000) / 8;
+        const float value = round & 1
+                                ? float_from_bits((random_u32() & 0x807fffff) | (uint32_t)random_between(0, 157) << 23)
+                                : (float)random_between(-70000, 70000) / 8;
         assert_true((double)float_floor(value) == floor((double)value));
     }
 }

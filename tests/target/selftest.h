@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The parts of the self-test, and how its report is written: lines of words, which check.c reads.
+ *
+ *     target INT_BITS POINTER_BITS little|big
+ *     kernel ROUTINE HASH                     fixed-point number routine, FNV-1a 64 over its results
+ *     frame NAME HASH                         fixed backend, FNV-1a 64 over the pixels
+ *     pixels NAME fixed|float ROW HEX         a row of RGB888
+ *     real ROUTINE HEX ...                    float number routine: arguments and result as bits
+ *     calibration KNOWN COUNTED               see platform_known_loop()
+ *     count NAME AVERAGE WORST UNIT           in tenths
+ *     stack fixed|float BYTES
+ *     failed TEXT
+ *     end
+ *
+ * Hashes take each number in a fixed byte order, low byte first, and 16-bit pixels by value, so that the lines of all
+ * targets must be equal. FNV-1a: G. Fowler, L. C. Noll, K.-P. Vo.
+ */
+#ifndef TESTS_TARGET_SELFTEST_H
+#define TESTS_TARGET_SELFTEST_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include <glint/scene.h>
+
+/* selftest_report.c: a line is begun, added to, ended. */
+void report_begin(const char *kind);
+void report_word(const char *text);
+void report_decimal(uint32_t value);
+void report_hex(uint64_t value, int digits);
+void report_bytes(const uint8_t *bytes, uint16_t count);
+void report_end(void);
+
+#define HASH_START UINT64_C(0xcbf29ce484222325)
+uint64_t hash_bytes(uint64_t hash, uint64_t value, int bytes);
+
+/* What each part prints is told above. */
+void selftest_numbers(void);
+void selftest_frames(void);
+void selftest_counts(void);
+
+/* selftest_scenes.c */
+extern const glint_scene selftest_room;
+
+/* The pictures whose pixels are printed, for check.c to compare with the reference. */
+typedef struct selftest_picture {
+    const char *name;
+    const glint_scene *scene;
+    uint16_t width_px, height_px, band_px;
+    uint8_t shading;
+} selftest_picture;
+
+enum { SELFTEST_PICTURES = 4 };
+extern const selftest_picture selftest_pictures[SELFTEST_PICTURES];
+
+#endif

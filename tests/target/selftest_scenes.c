@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The self-test's second scene (the first is sphere-10x6 of examples/scenes): small, and with what the first lacks.
+ * Blinn's cosine, a point light beside a directional one, unequal scale, a turned box, and a floor that runs through
+ * the near plane and out of the guard band.
+ */
+#include <examples/scenes/parts.h>
+
+#include <glint/quality.h>
+
+#include "tests/target/selftest.h"
+
+static const glint_camera camera = {
+    .eye_q16 = POINT(0, 1300, 4200),
+    .target_q16 = POINT(100, 300, 0),
+    .field_of_view_turn16 = DEGREES_TURN16(50),
+    .near_q16 = MILLI_Q16(700),
+};
+
+static const glint_material ground = {
+    .ambient = COLOUR(480, 470, 500), .diffuse = COLOUR(480, 470, 500), .specular = COLOUR(300, 300, 300),
+    .exponent_q4 = 12 * 16, .specular_model = GLINT_BLINN};
+static const glint_material brick = {
+    .ambient = COLOUR(620, 260, 180), .diffuse = COLOUR(620, 260, 180), .specular = COLOUR(200, 200, 200),
+    .exponent_q4 = 20 * 16 + 7};
+static const glint_material pearl = {
+    .ambient = COLOUR(300, 400, 500), .diffuse = COLOUR(300, 400, 500), .specular = COLOUR(700, 700, 700),
+    .exponent_q4 = 90 * 16, .specular_model = GLINT_BLINN};
+
+static const glint_object objects[] = {
+    {&glint_mesh_box, &ground, PLACE_SCALED(3000, 100, 9000, 0, -100, 0)},
+    {&glint_mesh_box, &brick, PLACE_TURNED(4, 3, 5, 550, -1000, 550, -300)},
+    {&glint_mesh_sphere_10x6, &pearl, PLACE_SCALED(600, 900, 500, 700, 900, 200)},
+};
+
+static const glint_light lights[] = {
+    {.kind = GLINT_POINT, .position_q16 = POINT(-200, 1900, 1300), .colour = COLOUR(900, 850, 700)},
+    {.kind = GLINT_DIRECTIONAL, .direction = {-5, -6, -10}, .colour = COLOUR(250, 300, 450)},
+};
+
+const glint_scene selftest_room = {
+    .camera = &camera,
+    .objects = objects,
+    .lights = lights,
+    .object_count = LENGTH_OF(objects),
+    .light_count = LENGTH_OF(lights),
+    .ambient = COLOUR(130, 130, 150),
+    .background = COLOUR(100, 140, 200),
+};
+
+const selftest_picture selftest_pictures[SELFTEST_PICTURES] = {
+    {"sphere-exact", &demo_sphere_10x6, 48, 32, 0, GLINT_SHADING_EXACT},
+    {"room-exact", &selftest_room, 48, 32, 16, GLINT_SHADING_EXACT},
+    {"room-gouraud", &selftest_room, 48, 32, 7, GLINT_SHADING_GOURAUD},
+    {"room-flat", &selftest_room, 48, 32, 1, GLINT_SHADING_FLAT},
+};
