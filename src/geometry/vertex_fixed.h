@@ -2,8 +2,9 @@
 /*
  * The vertex stage in fixed point: model position to view, and view to screen.
  *
- * A position is transformed by 16 x 32 bit products; a coordinate errs by at most 4 units of at most 2^-29 of the
- * object's extent (its farthest point from the eye, where a position could be). The projection adds a relative 2^-27.9.
+ * A position is transformed by 16 x 32 bit products; a coordinate errs by at most 6 units of its last bit, which is at
+ * most 2^-27 (X, Y) or 2^-28 (Z) of the object's extent (the distance from the eye of the farthest point that a
+ * position could name). The projection adds a relative 2^-27.8.
  */
 #ifndef GLINT_GEOMETRY_VERTEX_FIXED_H
 #define GLINT_GEOMETRY_VERTEX_FIXED_H

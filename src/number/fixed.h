@@ -14,7 +14,7 @@
 
 /*
  * Reciprocal: 2^62 / x for a normalised x, 2^31 <= x < 2^32; so 1/(x/2^31) in Q31.
- * Result in [2^30, 2^31 - 1]. Relative error at most 2^-27.9. Table of 64 cells and two Newton steps, r += r (1 - x r).
+ * Result in [2^30, 2^31 - 1]. Relative error at most 2^-27.8. Table of 64 cells and two Newton steps, r += r (1 - x r).
  */
 uint32_t glint_reciprocal_q31(uint32_t x_q31);
 

@@ -40,11 +40,11 @@ static inline int32_t float_floor(float value)
     return (float)whole > value ? whole - 1 : whole;
 }
 
-/* 1/sqrt(x) for a normal x > 0. Relative error at most 2^-22.4. */
+/* 1/sqrt(x) for a normal x > 0. Relative error at most 2^-23. */
 float glint_inverse_root(float x);
 
 /* (1 - gap)^exponent for gap in [0, 1], exponent >= 0; 0 for gap = 1 unless the exponent is 0: then 1. Error at most
- * 2e-6. */
+ * 2e-7. */
 float glint_power(float gap, float exponent);
 
 #endif

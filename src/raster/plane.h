@@ -4,10 +4,11 @@
  *
  * Scaling and overflow: corner values lie within +-2^29 (depth: 0..2^30). A step may be large for a thin triangle, and
  * products of steps and distances may pass 2^32, but arithmetic is modulo 2^32 and the value at any pixel inside lies
- * within the corners' range, so the result is right. Rounding: a gradient of the barycentric coordinates errs by half
- * of their last bit and a relative 2^-27.9, a step by one unit more; at n pixels (in x plus y) from the anchor the
- * value errs by at most 4 n + 2 units, 2^14 at n = 4095: 2^-15 of the range at the farthest corner of the largest
- * display. Since a value depends on the pixel alone, not on the path to it, bands and spans may start anywhere.
+ * within the corners' range (a sixteenth beyond, see gradients.h), so the result is right. Rounding: a gradient of the
+ * barycentric coordinates errs by half of its last bit and a relative 2^-27.8, a step by half a unit more; so at n
+ * pixels (in x plus y) from the anchor the value errs by at most (2^(30-bits) + 1/2) n + 8 units, with 30 bits for
+ * triangles of a pixel's width and more: 2^-16.4 of the range across the largest display. Since a value depends on the
+ * pixel alone, not on the path to it, bands and spans may start anywhere.
  */
 #ifndef GLINT_RASTER_PLANE_H
 #define GLINT_RASTER_PLANE_H

@@ -8,7 +8,7 @@
 
 /* Budgets, as geometry/vertex_fixed.h states them: four units of at most 2^-29 of the extent; 1/Z to 2^-27.9. */
 #define BACKEND_ROUNDING (4 / 536870912.0L)
-#define COORDINATE_UNITS 4.0L /* of the last bit, given the camera's axes as they are stored */
+#define COORDINATE_UNITS 6.0L /* of the last bit, given the camera's axes as they are stored */
 #define DEPTH_RELATIVE (2 / 134217728.0L)
 #define ORDINARY_STEPS 8.0L /* half a sub-pixel: a vertex snaps to the neighbouring grid point at most */
 

@@ -9,11 +9,11 @@
 #include "raster/plane.h"
 
 /* Budgets, as raster/gradients.h and raster/plane.h state them. */
-#define GRADIENT_ULP 0.5L                /* of the last bit, and ... */
-#define GRADIENT_RELATIVE_LOG2 -27.9L    /* of the gradient */
-#define PLANE_PER_PIXEL 4.0L             /* units a pixel from the anchor, and ... */
-#define PLANE_UNITS 2.0L                 /* at the anchor */
-#define WEIGHT_LOG2 -27.0L               /* before clamping */
+#define GRADIENT_ULP 0.5L                                     /* of the last bit, and ... */
+#define GRADIENT_RELATIVE_LOG2 -27.8L                         /* of the gradient */
+#define PLANE_PER_PIXEL(bits) (ldexpl(1, 30 - (bits)) + 0.5L) /* units a pixel from the anchor, and ... */
+#define PLANE_UNITS 8.0L                                      /* at the anchor */
+#define WEIGHT_LOG2 -27.0L                                    /* before clamping */
 #define OUTSIDE_PER_GRADIENT 0.00390625L /* coordinates beyond 0..1, times the gradient a pixel: 2^-8 */
 
 #define ONE_Q30 1073741824.0L
@@ -128,12 +128,12 @@ static void check_plane_at(const triangle *t, int16_t x, int16_t y, void *contex
         all->v[0] + b[0] * ((long double)all->v[1] - all->v[0]) + b[1] * ((long double)all->v[2] - all->v[0]);
     const long double error = fabsl((long double)glint_plane_at(&all->attribute, g, x, y) - exact);
     long double *plane = &all->plane[30 - g->bits];
-    *plane = worse(*plane, error / (PLANE_PER_PIXEL * n + PLANE_UNITS));
+    *plane = worse(*plane, error / (PLANE_PER_PIXEL(g->bits) * n + PLANE_UNITS));
     all->plane_units = worse(all->plane_units, error);
     all->pixels++;
 }
 
-/* The greatest error of the gradients in half last bits that a relative 2^-27.9 does not explain. */
+/* The greatest error of the gradients in half last bits that a relative 2^-27.8 does not explain. */
 static void check_gradients(const triangle *t, tally *all)
 {
     const glint_gradients *g = &t->gradients;
@@ -190,13 +190,13 @@ static void planes_keep_their_bound(void **state)
     print_message("    %ld triangles, %ld slivers, %ld pixels\n", all.triangles, all.slivers, all.pixels);
     assert_true(all.pixels > ROUNDS && all.slivers > 100);
     expect_at_most("coordinate beyond 0..1 by its gradient a pixel", all.outside, OUTSIDE_PER_GRADIENT);
-    expect_at_most("gradient, last bits, less 2^-27.9 of it", all.gradient, GRADIENT_ULP);
+    expect_at_most("gradient, last bits, less 2^-27.8 of it", all.gradient, GRADIENT_ULP);
     print_message("    plane, greatest error: %.0Lf units\n", all.plane_units);
     for (int k = 0; k < 5; k++) {
-        print_message("    plane, of its 4 n + 2 units, gradients of %d bits: %.3Lf\n", 30 - k, all.plane[k]);
+        print_message("    plane, of its allowed units, gradients of %d bits: %.3Lf\n", 30 - k, all.plane[k]);
         all.plane[0] = worse(all.plane[0], all.plane[k]);
     }
-    expect_at_most("plane, of its 4 n + 2 units", all.plane[0], 1);
+    expect_at_most("plane, of its allowed units", all.plane[0], 1);
 }
 
 static void check_weights_at(const triangle *t, int16_t x, int16_t y, void *context)

@@ -9,7 +9,7 @@
 #include "number/tables.h"
 
 /* Budgets, as number/fixed.h states them. */
-#define RECIPROCAL_LOG2 -27.9L      /* relative */
+#define RECIPROCAL_LOG2 -27.8L      /* relative */
 #define UNIT_Q15_ULP 1.2L           /* of Q15, a component */
 #define POWER_ERROR 0.0002L         /* 0.05 code of 1/255 */
 #define POWER_RISE_ULP 1            /* of Q15: a greater gap may give that much more */
