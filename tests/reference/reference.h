@@ -13,9 +13,9 @@
  * rightly show another surface than the reference. With e = options.edge_px and N = options.depth_steps:
  *  - A triangle (cut at the near plane) MAY cover a pixel when the pixel's centre is in it, or within e of its edge.
  *    A triangle turned away counts when it is so thin (width <= 2e) that rounding could turn it around.
- *  - A set of triangles MUST cover a pixel when the set winds around the centre (more of its triangles that face the eye
- *    hold it than of those turned away) and the centre is further than e from the outline of the set: a single triangle,
- *    or triangles of one object that share (by position) every edge within e of the centre. So a crack between
+ *  - A set of triangles MUST cover a pixel when the set winds around the centre (more of its triangles that face the
+ * eye hold it than of those turned away) and the centre is further than e from the outline of the set: a single
+ * triangle, or triangles of one object that share (by position) every edge within e of the centre. So a crack between
  *    neighbours is never excused.
  *  - Its depth is 65519 near / Z; where it may cover the pixel it has a range of depths, found within e of the centre.
  *  - Candidates are the triangles that may cover the pixel, and whose nearest depth there is not more than N steps

@@ -10,14 +10,15 @@
 /* Of <glint/scene.h>: singular where |det| < 2^-24 m^3. Cofactors are rounded, which moves the limit by 6 % at most. */
 #define SINGULAR_BAND 0.06L
 /* Of geometry/vertex_fixed.h: the last bit of a view coordinate, of the object's extent (times the focal length). */
-#define UNIT_XY_LOG2 -27.0L /* of extent times focal length */
-#define UNIT_Z_LOG2 -28.0L  /* of the extent */
+#define UNIT_XY_LOG2 (-27.0L) /* of extent times focal length */
+#define UNIT_Z_LOG2 (-28.0L)  /* of the extent */
 /* geometry/view.h states none for these: */
 #define FOCAL_RELATIVE (1 / 4194304.0L) /* 1/4096 px at 1024 px from the centre */
-#define RAY_ERROR_LOG2 -17.0L /* of a ray's greatest length: half a unit of 2^-29 for each of 4096 steps, and 2^-27 */
-#define NORMAL_ERROR_LOG2 -26.0L /* of the rows' greatest length */
-#define LIGHT_ULP 12.0L          /* of Q30: a unit vector turned by an axis that is another */
-#define POSITION_LOG2 -26.0L     /* of the light's distance */
+#define RAY_ERROR_LOG2 (-17.0L) /* of a ray's greatest length: half a unit of 2^-29 for each of 4096 steps, and 2^-27  \
+                                 */
+#define NORMAL_ERROR_LOG2 (-26.0L) /* of the rows' greatest length */
+#define LIGHT_ULP 12.0L            /* of Q30: a unit vector turned by an axis that is another */
+#define POSITION_LOG2 (-26.0L)     /* of the light's distance */
 
 static void turns_are_rotations_counter_clockwise(void **state)
 {

@@ -10,10 +10,10 @@
 
 /* Budgets, as raster/gradients.h and raster/plane.h state them. */
 #define GRADIENT_ULP 0.5L                                     /* of the last bit, and ... */
-#define GRADIENT_RELATIVE_LOG2 -27.8L                         /* of the gradient */
+#define GRADIENT_RELATIVE_LOG2 (-27.8L)                       /* of the gradient */
 #define PLANE_PER_PIXEL(bits) (ldexpl(1, 30 - (bits)) + 0.5L) /* units a pixel from the anchor, and ... */
 #define PLANE_UNITS 8.0L                                      /* at the anchor */
-#define WEIGHT_LOG2 -27.0L                                    /* before clamping */
+#define WEIGHT_LOG2 (-27.0L)                                  /* before clamping */
 #define OUTSIDE_PER_GRADIENT 0.00390625L /* coordinates beyond 0..1, times the gradient a pixel: 2^-8 */
 
 #define ONE_Q30 1073741824.0L

@@ -9,15 +9,15 @@
 #include "number/tables.h"
 
 /* Budgets, as number/fixed.h states them. */
-#define RECIPROCAL_LOG2 -27.8L      /* relative */
-#define UNIT_Q15_ULP 1.2L           /* of Q15, a component */
-#define POWER_ERROR 0.0002L         /* 0.05 code of 1/255 */
-#define POWER_RISE_ULP 1            /* of Q15: a greater gap may give that much more */
-#define SINE_ULP 2.0L               /* of Q30 */
-#define UNIT_Q30_ULP 6.0L           /* of Q30, a component */
-#define SCALED_INVERSE_LOG2 -27.8L  /* relative */
-#define SCALED_FROM_LOG2 -30.0L     /* relative: 31 bits, rounded down */
-#define UNIT_Q15_LENGTH_ULP 2.0785L /* of Q15: three components, sqrt(3) 1.2 */
+#define RECIPROCAL_LOG2 (-27.8L)     /* relative */
+#define UNIT_Q15_ULP 1.2L            /* of Q15, a component */
+#define POWER_ERROR 0.0002L          /* 0.05 code of 1/255 */
+#define POWER_RISE_ULP 1             /* of Q15: a greater gap may give that much more */
+#define SINE_ULP 2.0L                /* of Q30 */
+#define UNIT_Q30_ULP 6.0L            /* of Q30, a component */
+#define SCALED_INVERSE_LOG2 (-27.8L) /* relative */
+#define SCALED_FROM_LOG2 (-30.0L)    /* relative: 31 bits, rounded down */
+#define UNIT_Q15_LENGTH_ULP 2.0785L  /* of Q15: three components, sqrt(3) 1.2 */
 
 static void leading_zeros_and_bit_lengths_are_counted(void **state)
 {

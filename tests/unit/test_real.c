@@ -7,7 +7,7 @@
 #include "number/real.h"
 
 /* Budgets, as number/real.h states them. */
-#define INVERSE_ROOT_LOG2 -23.0L /* relative */
+#define INVERSE_ROOT_LOG2 (-23.0L) /* relative */
 #define POWER_ERROR 2e-7L
 #define LEAST_FRACTION (-96) /* of float_from_scaled() */
 #define GREATEST_FRACTION 126

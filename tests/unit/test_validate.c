@@ -454,7 +454,7 @@ static void test_memory_words_bound_the_bytes(void **state)
     static glint_transfers transfers;
     words_wrong = 0;
     for (uint16_t i = 0; i < demo_scene_count; i++) {
-        for (uint8_t format = GLINT_RGB888; format <= GLINT_MONO_PAGES; format++) {
+        for (uint8_t format = GLINT_RGB888; format <= (uint8_t)GLINT_MONO_PAGES; format++) {
             for (size_t k = 0; k < 2 * sizeof bands / sizeof *bands; k++) {
                 glint_display d = {.width_px = k % 3 ? 239 : 240,
                                    .height_px = k % 4 ? 240 : 235,

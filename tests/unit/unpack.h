@@ -14,7 +14,7 @@ enum { UNPACK_FORMATS = 6 };
 
 /* Levels of a pixel: red, green, blue; or one of luma. */
 typedef struct levels {
-    int count;
+    uint8_t count; /* no padding: compared as bytes */
     uint8_t v[3];
 } levels;
 
