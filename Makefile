@@ -170,4 +170,5 @@ ALL_SOURCES := $(LIBRARY_SOURCES) $(SCENE_SOURCES) $(HOST_SOURCES) $(RENDER_SOUR
 
 include tools/make/test.mk
 include tools/make/target.mk
+include tools/make/emulate.mk
 include tools/make/verify.mk

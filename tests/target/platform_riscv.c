@@ -37,7 +37,7 @@ void platform_end(void)
 uint32_t platform_count(void)
 {
     uint32_t count;
-    __asm volatile("csrr %0, minstret" : "=r"(count));
+    __asm volatile(".option push\n\t.option arch, +zicsr\n\tcsrr %0, minstret\n\t.option pop" : "=r"(count));
     return count;
 }
 

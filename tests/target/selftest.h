@@ -5,7 +5,7 @@
  *     target INT_BITS POINTER_BITS little|big
  *     kernel ROUTINE HASH                     fixed-point number routine, FNV-1a 64 over its results
  *     frame NAME HASH                         fixed backend, FNV-1a 64 over the pixels
- *     pixels NAME fixed|float ROW HEX         a row of RGB888
+ *     pixels NAME fixed|float ROW COLUMN HEX  part of a row of RGB888; simavr breaks lines of 256 characters
  *     real ROUTINE HEX ...                    float number routine: arguments and result as bits
  *     calibration KNOWN COUNTED               see platform_known_loop()
  *     count NAME AVERAGE WORST UNIT           in tenths
@@ -39,6 +39,9 @@ uint64_t hash_bytes(uint64_t hash, uint64_t value, int bytes);
 void selftest_numbers(void);
 void selftest_frames(void);
 void selftest_counts(void);
+
+/* selftest_frames.c: draws the frame that selftest_counts() counts, 48 x 32 RGB565 in bands of 8, and drops it. */
+void selftest_draw_counted(bool in_float);
 
 /* selftest_scenes.c */
 extern const glint_scene selftest_room;

@@ -50,6 +50,22 @@ typedef struct sink {
     uint8_t format;
 } sink;
 
+enum { PIECE_PX = 24 };
+
+static void print_row(const sink *to, uint16_t y_px, const uint8_t *row, uint16_t width_px)
+{
+    for (uint16_t x = 0; x < width_px; x = (uint16_t)(x + PIECE_PX)) {
+        const uint16_t count = width_px - x < PIECE_PX ? (uint16_t)(width_px - x) : PIECE_PX;
+        report_begin("pixels");
+        report_word(to->name);
+        report_word(to->backend);
+        report_decimal(y_px);
+        report_decimal(x);
+        report_bytes(row + (size_t)x * 3, (uint16_t)(count * 3));
+        report_end();
+    }
+}
+
 static void failed(const char *name, int error)
 {
     report_begin("failed");
@@ -77,12 +93,7 @@ static int take(void *context, const glint_band *band)
         to->hash = hash_bytes(to->hash, pixels[i], 1);
     }
     for (uint16_t y = 0; to->name && y < band->height_px; y++) {
-        report_begin("pixels");
-        report_word(to->name);
-        report_word(to->backend);
-        report_decimal((uint32_t)band->y_px + y);
-        report_bytes(pixels + (size_t)y * (size_t)band->stride_bytes, (uint16_t)band->stride_bytes);
-        report_end();
+        print_row(to, (uint16_t)(band->y_px + y), pixels + (size_t)y * (size_t)band->stride_bytes, band->width_px);
     }
     return 0;
 }
@@ -165,4 +176,12 @@ void selftest_frames(void)
         (void)draw(&c, take, &to, glint_float_render, glint_float_memory_bytes);
     }
     stack("float");
+}
+
+void selftest_draw_counted(bool in_float)
+{
+    static const frame_case counted = {"counted",         &demo_sphere_10x6,   48,   32, 8, GLINT_RGB565_SWAPPED,
+                                       GLINT_DITHER_NONE, GLINT_SHADING_EXACT, false};
+    (void)draw(&counted, discard, NULL, in_float ? glint_float_render : glint_fixed_render,
+               in_float ? glint_float_memory_bytes : glint_fixed_memory_bytes);
 }

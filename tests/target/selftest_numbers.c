@@ -125,7 +125,8 @@ static uint64_t unit_q15(uint64_t hash, uint16_t i)
 static uint64_t power(uint64_t hash, uint16_t i)
 {
     const uint32_t gap = input32(i);
-    const uint16_t exponent = (uint16_t)((random32() >> 16) >> (random32() & 15));
+    const uint32_t value = random32() >> 16;
+    const uint16_t exponent = (uint16_t)(value >> (random32() & 15));
     return hash_bytes(hash, glint_power_q15(gap > (uint32_t)1 << 31 ? gap >> 1 : gap, exponent), 2);
 }
 
@@ -183,7 +184,8 @@ static void real_numbers(void)
 {
     state = 2463534242;
     for (uint16_t i = 0; i < INPUTS_REAL; i++) {
-        const uint32_t x = (1 + random32() % 254) << 23 | random32() >> 9; /* normal, positive */
+        uint32_t x = (1 + random32() % 254) << 23; /* normal, positive */
+        x |= random32() >> 9;
         report_begin("real inverse-root");
         report_hex(x, 8);
         report_hex(bits_from_float(glint_inverse_root(float_from_bits(x))), 8);

@@ -17,18 +17,23 @@ static const glint_camera camera = {
     .near_q16 = MILLI_Q16(700),
 };
 
-static const glint_material ground = {
-    .ambient = COLOUR(480, 470, 500), .diffuse = COLOUR(480, 470, 500), .specular = COLOUR(300, 300, 300),
-    .exponent_q4 = 12 * 16, .specular_model = GLINT_BLINN};
-static const glint_material brick = {
-    .ambient = COLOUR(620, 260, 180), .diffuse = COLOUR(620, 260, 180), .specular = COLOUR(200, 200, 200),
-    .exponent_q4 = 20 * 16 + 7};
-static const glint_material pearl = {
-    .ambient = COLOUR(300, 400, 500), .diffuse = COLOUR(300, 400, 500), .specular = COLOUR(700, 700, 700),
-    .exponent_q4 = 90 * 16, .specular_model = GLINT_BLINN};
+static const glint_material ground = {.ambient = COLOUR(480, 470, 500),
+                                      .diffuse = COLOUR(480, 470, 500),
+                                      .specular = COLOUR(300, 300, 300),
+                                      .exponent_q4 = 12 * 16,
+                                      .specular_model = GLINT_BLINN};
+static const glint_material brick = {.ambient = COLOUR(620, 260, 180),
+                                     .diffuse = COLOUR(620, 260, 180),
+                                     .specular = COLOUR(200, 200, 200),
+                                     .exponent_q4 = 20 * 16 + 7};
+static const glint_material pearl = {.ambient = COLOUR(300, 400, 500),
+                                     .diffuse = COLOUR(300, 400, 500),
+                                     .specular = COLOUR(700, 700, 700),
+                                     .exponent_q4 = 90 * 16,
+                                     .specular_model = GLINT_BLINN};
 
 static const glint_object objects[] = {
-    {&glint_mesh_box, &ground, PLACE_SCALED(3000, 100, 9000, 0, -100, 0)},
+    {&glint_mesh_box, &ground, PLACE_SCALED(40000, 100, 9000, 0, -100, 0)},
     {&glint_mesh_box, &brick, PLACE_TURNED(4, 3, 5, 550, -1000, 550, -300)},
     {&glint_mesh_sphere_10x6, &pearl, PLACE_SCALED(600, 900, 500, 700, 900, 200)},
 };

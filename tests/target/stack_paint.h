@@ -14,8 +14,8 @@
 
 static inline void stack_paint(volatile uint8_t *bottom)
 {
-    volatile uint8_t here = 0;
-    for (volatile uint8_t *p = bottom; p < &here - STACK_MARGIN; p++) {
+    const uintptr_t end = (uintptr_t)__builtin_frame_address(0) - STACK_MARGIN;
+    for (volatile uint8_t *p = bottom; (uintptr_t)p < end; p++) {
         *p = STACK_PAINT;
     }
 }

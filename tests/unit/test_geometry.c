@@ -14,8 +14,9 @@
 #define UNIT_Z_LOG2 (-28.0L)  /* of the extent */
 /* geometry/view.h states none for these: */
 #define FOCAL_RELATIVE (1 / 4194304.0L) /* 1/4096 px at 1024 px from the centre */
-#define RAY_ERROR_LOG2 (-17.0L) /* of a ray's greatest length: half a unit of 2^-29 for each of 4096 steps, and 2^-27  \
-                                 */
+#define RAY_ERROR_LOG2                                                                                                 \
+    (-17.0L) /* of a ray's greatest length: half a unit of 2^-29 for each of 4096 steps, and 2^-27                     \
+              */
 #define NORMAL_ERROR_LOG2 (-26.0L) /* of the rows' greatest length */
 #define LIGHT_ULP 12.0L            /* of Q30: a unit vector turned by an axis that is another */
 #define POSITION_LOG2 (-26.0L)     /* of the light's distance */
