@@ -66,7 +66,8 @@ typedef enum glint_error {
     GLINT_ERROR_MEMORY_ALIGNMENT = -71 /* not aligned to 4 bytes */
 } glint_error;
 
-/* A sentence in English for an error code, never NULL; "unknown error" for any other number. */
+/* A sentence in English for an error code, never NULL; "unknown error" for any other number. The sentences take 2 KB of
+ * flash where this is called; on the AVR, whose constant strings live in RAM, 2 KB of RAM. */
 const char *glint_error_text(int error);
 
 #ifdef __cplusplus

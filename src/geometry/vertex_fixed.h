@@ -38,7 +38,7 @@ static inline view_vertex vertex_to_view(const transform_state *state, const int
 
 static inline bool vertex_is_near(const transform_state *state, const view_vertex *v)
 {
-    return v->z < state->near_z;
+    return v->z <= state->near_z; /* a vertex on the plane counts as cut away */
 }
 
 /* (coordinate / Z) in 1/4096 px from the display's centre; false beyond the guard band. r is 2^62 / (Z 2^zeros). */
@@ -95,7 +95,7 @@ static inline plane_distance clip_distance(const transform_state *state, const v
     return plane & 1 ? edge - coordinate : edge + coordinate;
 }
 
-/* inside / (inside - outside) in Q30, inside >= 0 > outside. Relative error 2^-27. */
+/* inside / (inside - outside) in Q30, inside > 0 >= outside. Relative error 2^-27. */
 typedef int32_t clip_ratio;
 
 static inline clip_ratio clip_crossing(plane_distance inside, plane_distance outside)

@@ -49,7 +49,7 @@ static inline view_vertex vertex_to_view(const transform_state *state, const int
 
 static inline bool vertex_is_near(const transform_state *state, const view_vertex *v)
 {
-    return v->z < state->near_z;
+    return v->z <= state->near_z; /* a vertex on the plane counts as cut away */
 }
 
 static inline bool project_coordinate(float coordinate, float inverse_z, int32_t centre, int32_t *screen)

@@ -107,14 +107,28 @@ static inline uint32_t gap_mirror(const real n[3], const real s[3], const real c
     return gap_between(r, c);
 }
 
-/* h along s + c against n; false where s = -c. */
-static inline bool gap_half(const real n[3], const real s[3], const real c[3], uint32_t *gap)
+/*
+ * h along s + c against n; false where s = -c within 2^-24. Rounding of s and c turns h by as much more as they cancel:
+ * where their sum is short, it is taken again in Q28 from the vectors that they were made of, `towards` and -`ray`.
+ */
+static inline bool gap_half(const real n[3], const real s[3], const real c[3], const real towards[3], const real ray[3],
+                            uint32_t *gap)
 {
-    const real sum[3] = {s[0] + c[0], s[1] + c[1], s[2] + c[2]};
+    real sum[3] = {s[0] + c[0], s[1] + c[1], s[2] + c[2]};
     real h[3];
-    if ((magnitude32(sum[0]) | magnitude32(sum[1]) | magnitude32(sum[2])) < 8 || !unit(sum, h)) {
-        return false; /* opposite within rounding */
+    if ((magnitude32(sum[0]) | magnitude32(sum[1]) | magnitude32(sum[2])) < (uint32_t)1 << 14) {
+        real fine_s[3], fine_ray[3];
+        if (!glint_unit_q28(towards, fine_s) || !glint_unit_q28(ray, fine_ray)) {
+            return false;
+        }
+        for (int k = 0; k < 3; k++) {
+            sum[k] = fine_s[k] - fine_ray[k];
+        }
+        if ((magnitude32(sum[0]) | magnitude32(sum[1]) | magnitude32(sum[2])) < 16) {
+            return false;
+        }
     }
+    (void)unit(sum, h); /* not zero */
     *gap = gap_between(n, h);
     return true;
 }
@@ -140,9 +154,10 @@ typedef struct surface {
     int16_t ray_fraction, inverse_fraction;
 } surface;
 
-/* A light's direction (Q15) or position (in near distances, with `fraction` bits). */
+/* A light's direction (Q15, and again in Q30) or position (in near distances, with `fraction` bits). */
 typedef struct light_place {
     real v[3];
+    real fine_q30[3]; /* a direction only */
     int16_t fraction;
 } light_place;
 
@@ -152,7 +167,14 @@ static inline void light_place_direction(light_place *place, const glint_frame *
     glint_light_direction(frame, light, unit_q30);
     for (int k = 0; k < 3; k++) {
         place->v[k] = (unit_q30[k] + (1 << 14)) >> 15;
+        place->fine_q30[k] = unit_q30[k];
     }
+}
+
+/* A direction with all the precision that there is, in any scale. */
+static inline const real *light_fine(const light_place *place)
+{
+    return place->fine_q30;
 }
 
 static inline void light_place_position(light_place *place, const glint_frame *frame, const glint_view *view,
@@ -167,16 +189,15 @@ static inline void light_place_position(light_place *place, const glint_frame *f
 }
 
 /*
- * Unit vector from the surface to a point light: along position inverse - ray. False where the difference is below
+ * Unit vector from the surface to a point light: along v = position inverse - ray. False where the difference is below
  * 2^-15 of the ray, about what rounding of the inverse distance leaves of it: light and surface are then the same
  * point.
  */
-static inline bool light_towards(const light_place *light, const surface *at, real out[3])
+static inline bool light_towards(const light_place *light, const surface *at, real v[3], real out[3])
 {
     /* the product has this many fractional bits; the coarser of the two sets the sum's */
     const int fraction = light->fraction + at->inverse_fraction - 32;
     const int finer = fraction - at->ray_fraction;
-    real v[3];
     uint32_t whole = 0, difference = 0;
     for (int k = 0; k < 3; k++) {
         const real product = multiply_high_s32(light->v[k], at->inverse); /* <= 2^28 */

@@ -100,8 +100,11 @@ static inline float gap_mirror(const real n[3], const real s[3], const real c[3]
     return gap_between(r, c);
 }
 
-static inline bool gap_half(const real n[3], const real s[3], const real c[3], float *gap)
+static inline bool gap_half(const real n[3], const real s[3], const real c[3], const real towards[3], const real ray[3],
+                            float *gap)
 {
+    (void)towards; /* s and c are as precise */
+    (void)ray;
     const real sum[3] = {s[0] + c[0], s[1] + c[1], s[2] + c[2]};
     real h[3];
     if (cosine_of(sum, sum) < 1e-12f || !unit(sum, h)) {
@@ -143,6 +146,11 @@ static inline void light_place_direction(light_place *place, const glint_frame *
     }
 }
 
+static inline const real *light_fine(const light_place *place)
+{
+    return place->v;
+}
+
 static inline void light_place_position(light_place *place, const glint_frame *frame, const glint_view *view,
                                         const glint_light *light)
 {
@@ -154,10 +162,11 @@ static inline void light_place_position(light_place *place, const glint_frame *f
     }
 }
 
-static inline bool light_towards(const light_place *light, const surface *at, real out[3])
+static inline bool light_towards(const light_place *light, const surface *at, real v[3], real out[3])
 {
-    const real v[3] = {light->v[0] * at->inverse - at->ray[0], light->v[1] * at->inverse - at->ray[1],
-                       light->v[2] * at->inverse - at->ray[2]};
+    for (int k = 0; k < 3; k++) {
+        v[k] = light->v[k] * at->inverse - at->ray[k];
+    }
     const float limit = 1.0f / 32768;
     return cosine_of(v, v) > cosine_of(at->ray, at->ray) * (limit * limit) && unit(v, out);
 }

@@ -64,6 +64,36 @@ bool glint_unit_q15(const int32_t v[3], int32_t unit[3])
     return true;
 }
 
+bool glint_unit_q28(const int32_t v[3], int32_t unit[3])
+{
+    uint32_t w[3] = {magnitude32(v[0]), magnitude32(v[1]), magnitude32(v[2])};
+    const int shift = clz32(w[0] | w[1] | w[2]);
+    if (shift == 32) {
+        return false;
+    }
+    uint32_t sum = 0;
+    for (int k = 0; k < 3; k++) {
+        w[k] <<= shift;                            /* the largest in [2^31, 2^32) */
+        sum += multiply_high_u32(w[k], w[k]) >> 2; /* each < 2^30: the sum < 2^31.6, and >= 2^28 */
+    }
+    /* |w| = 2^17 sqrt(sum). With sum in [2^30, 2^32), w / |w| is w y 2^-32; below, sum is multiplied by 4 and y comes
+     * out half as large. */
+    int down = 3;
+    if (sum < (uint32_t)1 << 30) {
+        sum <<= 2;
+        down = 2;
+    }
+    /* one more Newton step in residual form, 1 - s y^2 in Q28; |residual| < 2^-14 */
+    uint32_t y_q31 = inverse_root_q16(sum) << 15;
+    const int32_t residual_q28 = ((int32_t)1 << 28) - (int32_t)multiply_high_u32(multiply_high_u32(y_q31, y_q31), sum);
+    y_q31 += (uint32_t)multiply_high_s32((int32_t)y_q31, residual_q28 * 8);
+    for (int k = 0; k < 3; k++) {
+        const int32_t component = (int32_t)(((multiply_high_u32(w[k], y_q31) >> (down - 1)) + 1) >> 1);
+        unit[k] = v[k] < 0 ? -component : component;
+    }
+    return true;
+}
+
 /* table[index / 2^bits], linear between entries. */
 static uint32_t interpolate(const uint16_t *table, uint32_t index, int bits)
 {

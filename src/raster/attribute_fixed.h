@@ -49,8 +49,9 @@ static inline real normal_weigh(real component_q15, int32_t depth_q30, inverse_s
 }
 
 /* So little is left of an interpolated normal that rounding (2^14, see plane.h) decides its direction. */
-static inline bool normal_vanishes(const real normal[3])
+static inline bool normal_vanishes(const real normal[3], const surface *at)
 {
+    (void)at; /* the weights of the corners reach 2^29, whatever the distance */
     return (magnitude32(normal[0]) | magnitude32(normal[1]) | magnitude32(normal[2])) < (uint32_t)1 << 14;
 }
 

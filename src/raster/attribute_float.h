@@ -42,11 +42,11 @@ static inline real normal_weigh(real component, int32_t depth_q30, inverse_scale
     return component * inverse_of(depth_q30 > GLINT_DEPTH_BIAS ? depth_q30 : GLINT_DEPTH_BIAS + 1);
 }
 
-/* unit() finds the zero vector by itself. */
-static inline bool normal_vanishes(const real normal[3])
+/* Against the weight 1/w, which stands in at->inverse; rounding leaves some 2^-20 of it. */
+static inline bool normal_vanishes(const real normal[3], const surface *at)
 {
-    (void)normal;
-    return false;
+    const float limit = at->inverse * (1.0f / 131072);
+    return cosine_of(normal, normal) < limit * limit;
 }
 
 static inline real colour_to_attribute(uint16_t q15)

@@ -49,6 +49,8 @@ HARD_PRINTF static inline const char *text(const char *format, ...)
 
 static inline void hard_line(const char *id, const char *what, const char *naive, const char *glint, const char *result)
 {
+    assert_null(strchr(naive, '|')); /* it parts the fields */
+    assert_null(strchr(glint, '|'));
     printf("HARD|%s|%s|%s|%s|%s\n", id, what, naive, glint, result);
     (void)fflush(stdout);
 }
@@ -215,10 +217,9 @@ static inline void expect_refused(const glint_scene *scene, glint_display displa
     display.context = &f;
     for (int backend = 0; backend < FRAME_BACKENDS; backend++) {
         memset(memory, FRAME_CANARY_BYTE, sizeof memory);
-        const int result =
-            backend == FRAME_FIXED
-                ? glint_fixed_render(scene, &display, &quality, memory, sizeof memory, &f.report)
-                : glint_float_render(scene, &display, &quality, memory, sizeof memory, &f.report);
+        const int result = backend == FRAME_FIXED
+                               ? glint_fixed_render(scene, &display, &quality, memory, sizeof memory, &f.report)
+                               : glint_float_render(scene, &display, &quality, memory, sizeof memory, &f.report);
         assert_int_equal(result, error);
         assert_int_equal(f.bands_seen, 0);
         for (size_t i = 0; i < sizeof memory; i++) {

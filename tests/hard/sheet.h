@@ -44,7 +44,7 @@ static inline void sheet_begin(sheet *s, uint16_t width, uint16_t height, int fr
 }
 
 /* Adds a triangle as it is: x to the right and y down from the display's centre, in units of the mesh. */
-static inline void sheet_add(sheet *s, const int32_t xy[3][2])
+static inline void sheet_add(sheet *s, int32_t xy[3][2])
 {
     const uint16_t first = s->mesh.vertex_count;
     assert_true(s->mesh.triangle_count < SHEET_TRIANGLES);
@@ -59,19 +59,19 @@ static inline void sheet_add(sheet *s, const int32_t xy[3][2])
 }
 
 /* Twice the area, positive for corners clockwise on the display. */
-static inline int64_t sheet_area(const int32_t xy[3][2])
+static inline int64_t sheet_area(int32_t xy[3][2])
 {
     return (int64_t)(xy[1][0] - xy[0][0]) * (xy[2][1] - xy[0][1]) -
            (int64_t)(xy[2][0] - xy[0][0]) * (xy[1][1] - xy[0][1]);
 }
 
 /* Adds a triangle so that it faces the eye. */
-static inline void sheet_add_facing(sheet *s, const int32_t xy[3][2])
+static inline void sheet_add_facing(sheet *s, int32_t xy[3][2])
 {
     const int turned = sheet_area(xy) > 0;
-    const int32_t facing[3][2] = {{xy[0][0], xy[0][1]},
-                                  {xy[turned ? 2 : 1][0], xy[turned ? 2 : 1][1]},
-                                  {xy[turned ? 1 : 2][0], xy[turned ? 1 : 2][1]}};
+    int32_t facing[3][2] = {{xy[0][0], xy[0][1]},
+                            {xy[turned ? 2 : 1][0], xy[turned ? 2 : 1][1]},
+                            {xy[turned ? 1 : 2][0], xy[turned ? 1 : 2][1]}};
     sheet_add(s, facing);
 }
 

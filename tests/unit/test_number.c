@@ -14,6 +14,7 @@
 #define POWER_ERROR 0.0002L          /* 0.05 code of 1/255 */
 #define POWER_RISE_ULP 1             /* of Q15: a greater gap may give that much more */
 #define SINE_ULP 2.0L                /* of Q30 */
+#define UNIT_Q28_ULP 4.0L            /* of Q28, a component */
 #define UNIT_Q30_ULP 6.0L            /* of Q30, a component */
 #define SCALED_INVERSE_LOG2 (-27.8L) /* relative */
 #define SCALED_FROM_LOG2 (-30.0L)    /* relative: 31 bits, rounded down */
@@ -236,6 +237,32 @@ static void unit_q15_keeps_its_bound(void **state)
     expect_at_most("glint_unit_q15, length, ulp of Q15", worst.length_ulp, UNIT_Q15_LENGTH_ULP);
 }
 
+static void unit_q28_keeps_its_bound(void **state)
+{
+    const int32_t zero[3] = {0, 0, 0};
+    int32_t unit[3] = {7, 8, 9};
+    long double worst = 0;
+    (void)state;
+    assert_false(glint_unit_q28(zero, unit));
+    assert_true(unit[0] == 7 && unit[1] == 8 && unit[2] == 9);
+    for (long round = 0; round < 3000000; round++) {
+        int32_t v[3];
+        if (round % 2) {
+            v[0] = random_any_size(31), v[1] = random_any_size(31), v[2] = random_any_size(31);
+        } else {
+            v[0] = (int32_t)random_u32(), v[1] = (int32_t)random_u32(), v[2] = round % 64 ? INT32_MAX : INT32_MIN;
+        }
+        if (!glint_unit_q28(v, unit)) {
+            continue;
+        }
+        const long double x = v[0], y = v[1], z = v[2], length = sqrtl(x * x + y * y + z * z);
+        for (int k = 0; k < 3; k++) {
+            worst = worse(worst, fabsl(unit[k] - 268435456.0L * v[k] / length));
+        }
+    }
+    expect_bound("glint_unit_q28, ulp of Q28", worst, UNIT_Q28_ULP);
+}
+
 static int compare_u32(const void *a, const void *b)
 {
     const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
@@ -449,6 +476,7 @@ int main(void)
         numeric_test(shifts_round_to_nearest_halves_up),
         numeric_test(reciprocal_keeps_its_bound),
         numeric_test(unit_q15_keeps_its_bound),
+        numeric_test(unit_q28_keeps_its_bound),
         numeric_test(power_keeps_its_bound),
         numeric_test(power_falls_with_the_gap),
         numeric_test(sine_and_cosine_keep_their_bound),

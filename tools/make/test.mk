@@ -16,6 +16,10 @@ run-tests: $(TESTS) $(B)/glint-render $(TOOLS) ## Build and run the tests with w
 	@GLINT_BUILD=$(B) GLINT_RENDER=$(B)/glint-render GLINT_COMPARE=$(B)/glint-compare GLINT_IMPORT=$(B)/glint-import \
 		tools/check-tests.sh $(JOBS) $(TESTS)
 
+.PHONY: hard-cases
+hard-cases: $(filter $(B)/tests/hard/%,$(TESTS)) $(B)/glint-import ## The table of hard cases: what a naive renderer does, what Glint does
+	@tools/hard-cases.sh $(B)
+
 .PHONY: golden
 golden: $(B)/tests/image/test_same_image ## Take what the fixed backend draws now as golden; look at build/demo first
 	tests/image/write-golden.sh $(B)
@@ -24,6 +28,6 @@ golden: $(B)/tests/image/test_same_image ## Take what the fixed backend draws no
 coverage: ## Line and branch coverage of src/ by the tests (needs gcovr)
 	@command -v gcovr >/dev/null || { echo "make coverage needs gcovr: apt-get install gcovr" >&2; exit 1; }
 	@find $(B)/coverage -name '*.gcda' -delete 2>/dev/null || true
-	@+$(SUBMAKE) B=$(B)/coverage CC=gcc CFLAGS="-O0 -g --coverage" run-tests
+	@+$(SUBMAKE) B=$(B)/coverage CC=gcc CFLAGS="-O0 -g --coverage -fprofile-update=atomic" run-tests
 	gcovr --root . --filter src/ --object-directory $(B)/coverage $(B)/coverage
 	gcovr --root . --filter src/ --object-directory $(B)/coverage --branches $(B)/coverage
