@@ -54,7 +54,8 @@ HOST_SOURCES := $(sort $(wildcard tests/reference/*.c tools/picture/*.c tools/im
 RENDER_SOURCES := $(sort $(wildcard examples/render/*.c))
 TOOL_SOURCES := $(sort $(wildcard tools/*.c))
 MESH_TOOL_SOURCES := $(sort $(wildcard tools/mesh/*.c))
-TEST_SOURCES := $(sort $(wildcard tests/unit/test_*.c tests/image/test_*.c tests/hard/test_*.c))
+TEST_SOURCES := $(sort $(wildcard tests/unit/test_*.c tests/image/test_*.c tests/hard/test_*.c \
+	tests/metamorphic/test_*.c tests/fuzz/test_*.c))
 
 objects = $(patsubst %.c,$(B)/obj/%.o,$(1))
 TOOLS := $(patsubst tools/%.c,$(B)/%,$(TOOL_SOURCES))
@@ -171,4 +172,6 @@ ALL_SOURCES := $(LIBRARY_SOURCES) $(SCENE_SOURCES) $(HOST_SOURCES) $(RENDER_SOUR
 include tools/make/test.mk
 include tools/make/target.mk
 include tools/make/emulate.mk
+include tools/make/fuzz.mk
+include tools/make/proofs.mk
 include tools/make/verify.mk

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Installs what the tests, the checks or the emulated targets need and the system does not have:
-# tools/install-packages.sh test|verify|targets
+# tools/install-packages.sh test|verify|targets|fuzz|proofs
 #
 # Each need is probed (a command that runs, a header and library that link), so nothing is asked of the package manager
 # when all is there. Says what it installs and why. Runs as root or with a sudo that asks for no password; without
@@ -11,9 +11,9 @@ set -eu
 
 stage=${1:-}
 case $stage in
-test | verify | targets) ;;
+test | verify | targets | fuzz | proofs) ;;
 *)
-    echo "usage: tools/install-packages.sh test|verify|targets" >&2
+    echo "usage: tools/install-packages.sh test|verify|targets|fuzz|proofs" >&2
     exit 2
     ;;
 esac
@@ -82,6 +82,33 @@ needs_verify() {
     need "has_command clang-format" "format check" clang-format clang-tools-extra clang clang-extra-tools clang-tools llvm
     need "has_command cppcheck" "static analysis" cppcheck cppcheck cppcheck cppcheck cppcheck cppcheck
     needs_cross
+}
+
+needs_proofs() {
+    need "has_compiler $cc c" "compiles the measurements" "gcc libc6-dev" gcc gcc "gcc musl-dev" gcc gcc
+    need "has_command bash" "runs the proofs" bash bash bash bash bash bash
+    need "has_command gappa" "proves rounding bounds" gappa gappa - - - gappa
+    need "has_command z3" "proves integer identities" z3 z3 z3 z3 z3 z3
+}
+
+needs_fuzz() {
+    need "has_compiler clang c" "compiles the fuzzers" clang clang clang clang clang llvm
+    # Debian's clang only recommends its runtime libraries
+    need "has_fuzzer" "libFuzzer and the sanitizers" "$(clang_runtime)" compiler-rt compiler-rt compiler-rt clang llvm
+    need "has_library assimp assimp/cimport.h" "the importer's fuzzer" \
+        libassimp-dev assimp-devel assimp assimp-dev assimp-devel assimp
+}
+
+has_fuzzer() {
+    echo '#include <stddef.h>
+        int LLVMFuzzerTestOneInput(const unsigned char *data, size_t size) { return data == NULL && size; }' |
+        clang -x c -fsanitize=fuzzer,address,undefined - -o "$work/probe" >/dev/null 2>&1
+}
+
+# Of the version of clang that is there, as Debian 12 has it (libclang-rt-14-dev), or of the system's own.
+clang_runtime() {
+    version=$(clang -dumpversion 2>/dev/null | cut -d . -f 1)
+    echo "libclang-rt-${version:+$version-}dev"
 }
 
 # The processors that both `make cross` and `make targets` compile for.

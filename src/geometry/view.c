@@ -203,7 +203,8 @@ static int determinant_sign(int32_t linear_q16[3][3], int64_t cofactor[3][3])
     const int up = 27 - bit_length64(greatest);
     int64_t determinant = 0;
     for (int k = 0; k < 3; k++) {
-        determinant += shift_round64(linear_q16[0][k], up) * shift_round64(cofactor[0][k], 2 * up - 23); /* < 2^59 */
+        determinant +=
+            shift_round64(linear_q16[0][k], up) * shift_round64(cofactor[0][k], 2 * up - 23); /* sum < 2^61 */
     }
     /* m in [2^26, 2^27): m^3 2^-24 2^-23 is in [2^31, 2^34) */
     const uint64_t m = (uint64_t)greatest << up;

@@ -150,7 +150,7 @@ static inline real light_power(light_gap gap, light_exponent exponent)
 typedef struct surface {
     real normal[3];
     real ray[3]; /* from the eye to the point, divided by its depth w (or by the near distance), ray_fraction bits */
-    int32_t inverse; /* near / w (or 1) times 2^inverse_fraction, below 2^30 + 2^17 */
+    int32_t inverse; /* near / w (or 1) times 2^inverse_fraction, 0..2^30 */
     int16_t ray_fraction, inverse_fraction;
 } surface;
 

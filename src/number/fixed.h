@@ -21,7 +21,7 @@ uint32_t glint_reciprocal_q31(uint32_t x_q31);
 /*
  * The unit vector along v, each component in Q15 (32768 is 1). v is any vector of int32 components, INT32_MIN included,
  * in any scale; `unit` may be `v`. Returns false, with `unit` untouched, for the zero vector. Error of a component at
- * most 1.2 ulp of Q15 (0.6 ulp of Q14). The largest component is brought to 16 bits, so a sum of three squares over 4
+ * most 1.22 ulp of Q15 (0.61 ulp of Q14). The largest component is brought to 16 bits, so a sum of three squares over 4
  * fits 32 bits; 1/sqrt by a table of 24 cells and two Newton steps; every product fits 32 bits.
  */
 bool glint_unit_q15(const int32_t v[3], int32_t unit[3]);

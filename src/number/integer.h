@@ -132,8 +132,8 @@ static inline int32_t multiply_q16(int32_t a, int32_t b_s16)
     return (a >> 16) * b_s16 + (((int32_t)(a & 0xffff) * b_s16) >> 16);
 }
 
-/* value 2^shift, rounded to nearest, halves up; 0 when every bit is shifted out. The caller sees to it that a left
- * shift does not overflow. */
+/* value 2^shift for |value| < 2^62, rounded to nearest, halves up; 0 when every bit is shifted out. The caller sees to
+ * it that a left shift does not overflow. */
 static inline int64_t shift_round64(int64_t value, int shift)
 {
     if (shift >= 0) {

@@ -34,10 +34,12 @@ static inline int32_t inverse_of(int32_t depth_q30, inverse_scale shift)
     return (depth_q30 - GLINT_DEPTH_BIAS) << shift;
 }
 
-/* A point's inverse distance for light_towards(): a little below 0 by rounding does no harm. */
+/* A point's inverse distance for light_towards(). Clamped first: on a far surface the shift would magnify by how little
+ * interpolation passes the corners' range. */
 static inline void surface_set_inverse(surface *at, int32_t depth_q30, inverse_scale shift)
 {
-    at->inverse = (int32_t)((uint32_t)(depth_q30 - GLINT_DEPTH_BIAS) << shift);
+    const int32_t inverse = depth_q30 - GLINT_DEPTH_BIAS, most = ((int32_t)1 << 30) >> shift;
+    at->inverse = (inverse < 0 ? 0 : inverse > most ? most : inverse) << shift;
     at->inverse_fraction = (int16_t)(30 + shift);
 }
 

@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Every file of the fuzzers' corpora through the fuzzers' own checks, without libFuzzer: what a fuzzer has found once
+ * stays found. A check that fails aborts the program and names the file.
+ */
+#include "tests/fuzz/import_check.h"
+#include "tests/fuzz/scene_check.h"
+
+#include <dirent.h>
+#include <setjmp.h>
+#include <stdarg.h>
+
+#include <cmocka.h>
+
+#define MOST_BYTES 65536
+
+static char folder[64];
+
+typedef void (*check)(const uint8_t *data, size_t size);
+
+static void check_import(const uint8_t *data, size_t size)
+{
+    check_import_bytes(folder, data, size);
+}
+
+/* Returns how many files there were. */
+static unsigned replay(const char *corpus, check run)
+{
+    static uint8_t data[MOST_BYTES];
+    unsigned count = 0;
+    DIR *files = opendir(corpus);
+    assert_non_null(files);
+    for (const struct dirent *entry = readdir(files); entry != NULL; entry = readdir(files)) {
+        char path[512];
+        if (entry->d_name[0] == '.') {
+            continue;
+        }
+        (void)snprintf(path, sizeof path, "%s/%s", corpus, entry->d_name);
+        FILE *file = fopen(path, "rb");
+        assert_non_null(file);
+        const size_t size = fread(data, 1, sizeof data, file);
+        assert_true(size < sizeof data);
+        (void)fclose(file);
+        (void)fprintf(stderr, "%s\n", path);
+        run(data, size);
+        count++;
+    }
+    (void)closedir(files);
+    return count;
+}
+
+static void test_scene_corpus(void **state)
+{
+    (void)state;
+    assert_true(replay("tests/fuzz/corpus-scene", check_scene_bytes) > 0);
+}
+
+static void test_import_corpus(void **state)
+{
+    (void)state;
+    make_folder(folder, sizeof folder);
+    assert_true(replay("tests/fuzz/corpus-import", check_import) > 0);
+    (void)rmdir(folder);
+}
+
+/* The seeds as scenes, so that the checks are known to meet pictures, errors and everything between. */
+static void test_what_the_bytes_make(void **state)
+{
+    (void)state;
+    enum { TRIALS = 4000 };
+    unsigned valid = 0, drawn = 0, clipped = 0, specular = 0, invalid = 0;
+    uint64_t random = 7;
+    for (unsigned i = 0; i < TRIALS; i++) {
+        static scene_case c;
+        uint8_t data[8];
+        glint_report report;
+        const drawing how = {.fail_at = NO_BAND, .buffer_count = 1};
+        for (int k = 0; k < 8; k++) {
+            data[k] = (uint8_t)random_u24(&random);
+        }
+        bytes b = bytes_from(data, sizeof data);
+        scene_case_take(&b, &c);
+        uint8_t *pixels = draw_and_check(&c, &how, 0, &report);
+        invalid += pixels == NULL; /* draw_and_check() has found that rightly refused */
+        if (pixels != NULL) {
+            valid++;
+            drawn += report.pixels_shaded > 0;
+            clipped += report.triangles_clipped > 0;
+            specular += report.pixels_specular > 0;
+        }
+        free(pixels);
+        scene_case_free(&c);
+    }
+    print_message("of %u inputs: %u valid, %u with pixels, %u with clipping, %u with highlights; %u invalid\n",
+                  (unsigned)TRIALS, valid, drawn, clipped, specular, invalid);
+    assert_true(valid > TRIALS / 2 && invalid > TRIALS / 50);
+    assert_true(drawn > TRIALS / 5 && clipped > TRIALS / 10 && specular > TRIALS / 50);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_scene_corpus),
+        cmocka_unit_test(test_import_corpus),
+        cmocka_unit_test(test_what_the_bytes_make),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,30 @@
+; SPDX-License-Identifier: MIT
+;
+; src/raster/edges.h at full width, over the integers: 256 sub-pixels, E = 256 K + R with K = dx n - dy m in whole
+; pixels and R = dx f_y - dy f_x; E' = K + floor((R + bias) / 256). Each query asks for a counterexample; all unsat.
+(declare-const k Int) (declare-const r Int)
+(define-fun e () Int (+ (* 256 k) r))
+(echo "left or top edge, bias 0: E' >= 0 just when E >= 0")
+(push) (assert (not (= (>= (+ k (div r 256)) 0) (>= e 0)))) (check-sat) (pop)
+(echo "other edges, bias -1: E' >= 0 just when E > 0")
+(push) (assert (not (= (>= (+ k (div (- r 1) 256)) 0) (> e 0)))) (check-sat) (pop)
+(echo "range: |E| <= (256 L)^2 and 256 L^2 < 2^31 keep E' within int32_t")
+(declare-const square Int) ; L^2
+(push)
+(assert (and (<= 0 square) (< (* 256 square) 2147483648) (<= (- (* 65536 square)) e (* 65536 square))))
+(assert (not (and (<= (- 2147483648) (+ k (div (- r 1) 256))) (<= (+ k (div r 256)) 2147483647))))
+(check-sat) (pop)
+(echo "L = 2880 satisfies it")
+(push) (assert (not (< (* 256 (* 2880 2880)) 2147483648))) (check-sat) (pop)
+(echo "wrapping on the way does no harm: a value within int32_t is the signed reading of itself modulo 2^32")
+(declare-const v Int)
+(push)
+(assert (<= (- 2147483648) v 2147483647))
+(assert (not (= v (ite (< (mod v 4294967296) 2147483648) (mod v 4294967296) (- (mod v 4294967296) 4294967296)))))
+(check-sat) (pop)
+(echo "the offset's product fits int32_t: |d| <= 2880 256, |f| <= 128")
+(declare-const dx Int) (declare-const dy Int) (declare-const fx Int) (declare-const fy Int)
+(push)
+(assert (and (<= (- 737280) dx 737280) (<= (- 737280) dy 737280) (<= (- 128) fx 128) (<= (- 128) fy 128)))
+(assert (not (< (- 268435456) (- (- (* dx fy) (* dy fx)) 1) 268435456)))
+(check-sat) (pop)
