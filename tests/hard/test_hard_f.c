@@ -153,7 +153,7 @@ static void test_F3_vertex_on_the_near_plane(void **state)
     }
     hard_pass(
         "F3", "vertex exactly on the near plane", text("the crossing of an edge in the plane is %s", "NaN"),
-        text("counts as inside: %ld triangles with corners on it, within %.2f codes of the reference", tried, worst));
+        text("counts as outside: %ld triangles with corners on it, within %.2f codes of the reference", tried, worst));
 }
 
 static void test_F5_clipped_quad_split_either_way(void **state)
