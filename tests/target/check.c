@@ -26,8 +26,8 @@
 /* Either backend is within 0.62 code of the reference before it is rounded (README.md), so two codes differ by 1. */
 #define MOST_CODES 1
 /* number/real.h */
-#define INVERSE_ROOT_BOUND (1.0 / 5534417.0) /* 2^-22.4 */
-#define POWER_BOUND 2e-6
+#define INVERSE_ROOT_BOUND (1.0 / 8388608.0) /* 2^-23 */
+#define POWER_BOUND 2e-7
 
 enum { LINE_BYTES = 1024, MOST_LINES = 64, WORD_BYTES = 64, MOST_PIXELS = 48 * 32 };
 
@@ -290,7 +290,7 @@ static void judge_real(const report *host, const report *r)
                  host->power_count);
     }
     if (r->root_error > INVERSE_ROOT_BOUND) {
-        complain("glint_inverse_root: relative error 2^%.2f, at most 2^-22.4 is stated", log2(r->root_error));
+        complain("glint_inverse_root: relative error 2^%.2f, at most 2^-23 is stated", log2(r->root_error));
     }
     if (r->power_error > POWER_BOUND) {
         complain("glint_power: error %.2g, at most %.2g is stated", r->power_error, POWER_BOUND);
@@ -317,7 +317,7 @@ static void foot(void)
 {
     printf("float: greatest difference from the host's fixed pictures over %d pictures, plain pixels; differing pixels "
            "of these + of contested ones.\n"
-           "1/root, power: greatest relative and absolute error of the float routines (stated: 2^-22.4, 2e-6).\n"
+           "1/root, power: greatest relative and absolute error of the float routines (stated: 2^-23, 2e-7).\n"
            "unit-q15: a call of glint_unit_q15; frame: sphere-10x6, 48 x 32 RGB565, exact shading, bands of 8. Counted "
            "in instructions, on the AVR in cycles.\n",
            SELFTEST_PICTURES);

@@ -380,6 +380,23 @@ static void test_stride_leaves_gaps(void **state)
     }
 }
 
+/* The half byte that an odd number of 4-bit pixels leaves holds 0, whatever the memory (0xa5 here) held before. */
+static void test_left_over_half_byte(void **state)
+{
+    (void)state;
+    for (int which = 0; which < BACKENDS; which++) {
+        for (int width = 1; width < 8; width += 2) {
+            frame f;
+            const glint_colour colour = board_grey(16384);
+            draw_background(&f, which, &colour, GLINT_GREY4, GLINT_DITHER_NONE, width, 3);
+            for (size_t y = 0; y < 3; y++) {
+                assert_int_equal(f.pixels[y * f.row_bytes + f.row_bytes - 1], 0xf0);
+            }
+            frame_free(&f);
+        }
+    }
+}
+
 static void test_row_bytes(void **state)
 {
     (void)state;
@@ -409,6 +426,7 @@ int main(void)
         cmocka_unit_test(test_surface_and_background_pack_alike),
         cmocka_unit_test(test_formats_show_the_same_picture),
         cmocka_unit_test(test_stride_leaves_gaps),
+        cmocka_unit_test(test_left_over_half_byte),
         cmocka_unit_test(test_row_bytes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

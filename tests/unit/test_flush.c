@@ -350,6 +350,36 @@ static void test_first_bands_wait_for_nothing(void **state)
     }
 }
 
+static int tell_and_refuse(void *context, const glint_band *band)
+{
+    (void)band;
+    glint_flush_done(context);
+    return 7;
+}
+
+/* A flush function that tells the end and then returns an error breaks its contract; the frame still returns (it once
+ * waited for ever), and the counters agree for the next one. */
+static void test_an_end_told_before_an_error(void **state)
+{
+    (void)state;
+    static const glint_camera camera = {.eye_q16 = {0, 0, 65536}, .field_of_view_turn16 = 8192, .near_q16 = 65536};
+    const glint_scene scene = {.camera = &camera};
+    const glint_quality quality = {.shading = GLINT_SHADING_EXACT};
+    glint_transfers transfers = {0, 0};
+    const glint_display display = {.width_px = 8,
+                                   .height_px = 8,
+                                   .band_px = 2,
+                                   .flush = tell_and_refuse,
+                                   .context = &transfers,
+                                   .transfers = &transfers};
+    for (int round = 0; round < 300; round++) {
+        assert_int_equal(glint_fixed_render(&scene, &display, &quality, memory_words, sizeof memory_words, NULL), 7);
+        assert_int_equal(transfers.started, transfers.finished);
+        assert_int_equal(glint_float_render(&scene, &display, &quality, memory_words, sizeof memory_words, NULL), 7);
+        assert_int_equal(transfers.started, transfers.finished);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -360,6 +390,7 @@ int main(void)
         cmocka_unit_test(test_counters_wrap),
         cmocka_unit_test(test_an_error_of_flush_ends_the_frame),
         cmocka_unit_test(test_first_bands_wait_for_nothing),
+        cmocka_unit_test(test_an_end_told_before_an_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -29,7 +29,7 @@ extern char **environ;
 
 enum { MAX_ARGUMENTS = 24, OUTPUT_BYTES = 1 << 16, PATH_BYTES = 256 };
 
-static char folder[] = "/tmp/glint-render-XXXXXX";
+static char folder[] = "build/glint-render-XXXXXX";
 
 /* A path in the test's folder, in one of a few buffers, so that several can be used in one call. */
 static const char *in_folder(const char *name)
