@@ -172,6 +172,7 @@ ALL_SOURCES := $(LIBRARY_SOURCES) $(SCENE_SOURCES) $(HOST_SOURCES) $(RENDER_SOUR
 include tools/make/test.mk
 include tools/make/target.mk
 include tools/make/emulate.mk
+include tools/make/cost.mk
 include tools/make/fuzz.mk
 include tools/make/proofs.mk
 include tools/make/verify.mk

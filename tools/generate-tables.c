@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Prints src/number/tables.c, the constant tables of the number routines. Each entry is computed in double precision
- * from the formula beside it and rounded to nearest; none is typed in.
+ * from the formula beside it; none is typed in.
  *
  * Usage: generate-tables > src/number/tables.c
  */
@@ -9,40 +9,64 @@
 #include <stdint.h>
 #include <stdio.h>
 
-typedef double (*entry_function)(int index);
+typedef double (*entry_function)(int index, int cells);
 
-static double reciprocal_seed(int i)
+static double nearest(double value)
 {
-    /* 1/x on the cell [1 + i/64, 1 + (i+1)/64]: 2 / (lo + hi) makes the relative error equal at both ends, in Q15 */
-    const double low = 1.0 + i / 64.0;
-    return 32768.0 * 2.0 / (low + low + 1.0 / 64.0);
+    return floor(value + 0.5);
 }
 
-static double root_seed(int i)
+static double reciprocal_seed(int i, int cells)
 {
-    /* 1/sqrt(x) on the cell [1 + i/8, 1 + (i+1)/8]: 2 / (sqrt(lo) + sqrt(hi)), in Q16 */
-    const double low = 1.0 + i / 8.0;
-    return 65536.0 * 2.0 / (sqrt(low) + sqrt(low + 1.0 / 8.0));
+    /* 1/x on the cell [1 + i/cells, 1 + (i+1)/cells]: 2 / (lo + hi) makes the relative error equal at both ends, in
+     * Q15 */
+    const double low = 1.0 + (double)i / cells;
+    return nearest(32768.0 * 2.0 / (low + low + 1.0 / cells));
 }
 
-static double log_slope(int i)
+static double root_seed(int i, int cells)
 {
-    /* -log2(1 - y) / y at y = i/64, in Q14 */
-    const double y = i / 64.0;
-    return 16384.0 * (i == 0 ? 1.0 / log(2.0) : -log2(1.0 - y) / y);
+    /* 1/sqrt(x) on the cell [1 + 3i/cells, 1 + 3(i+1)/cells]: 2 / (sqrt(lo) + sqrt(hi)), in Q16 */
+    const double width = 3.0 / cells, low = 1.0 + i * width;
+    return nearest(65536.0 * 2.0 / (sqrt(low) + sqrt(low + width)));
 }
 
-static double exp_fraction(int i)
+static double root(int i, int cells)
 {
-    /* 2^(-i/32), in Q15 */
-    return 32768.0 * exp2(-i / 32.0);
+    /* 1/sqrt(x) at x = 1 + 3i/cells, in Q16. The chord between two entries lies above the curve by up to
+     * width^2 / 8 f''(x), f'' = 3/4 x^(-5/2): half of that is taken off, so that the errors to both sides are equal.
+     * The interpolation drops a fraction that it subtracts, so its result lies 1/2 too high on average: the entry is
+     * rounded down for that. */
+    const double width = 3.0 / cells, x = 1.0 + i * width;
+    return floor(65536.0 * (1.0 / sqrt(x) - 0.5 * width * width / 8.0 * 0.75 * pow(x, -2.5)));
 }
 
-static double bayer(int i)
+static double log_slope(int i, int cells)
+{
+    /* -log2(1 - y) / y at y = i/(2 cells), in Q14 */
+    const double y = 0.5 * i / cells;
+    return nearest(16384.0 * (i == 0 ? 1.0 / log(2.0) : -log2(1.0 - y) / y));
+}
+
+static double exp_fraction(int i, int cells)
+{
+    /* 2^(-i/cells), in Q15 */
+    return nearest(32768.0 * exp2(-(double)i / cells));
+}
+
+static double clz_u4(int i, int cells)
+{
+    /* leading zeros of a number of four bits */
+    (void)cells;
+    return i ? 3 - (int)log2(i) : 4;
+}
+
+static double bayer(int i, int cells)
 {
     /* rank of cell (x, y) in the 8x8 ordered dither: the bits of x ^ y and y, interleaved, in reverse order */
     const int x = i & 7, y = i >> 3;
     int rank = 0;
+    (void)cells;
     for (int bit = 0; bit < 3; bit++) {
         rank |= (((x ^ y) >> bit) & 1) << (5 - 2 * bit);
         rank |= ((y >> bit) & 1) << (4 - 2 * bit);
@@ -50,14 +74,21 @@ static double bayer(int i)
     return rank;
 }
 
-static void print_table(const char *type, const char *name, int count, entry_function entry, double limit)
+/* cells and points: the number of intervals, and of entries, which is one more where entries stand for their ends. */
+static void print_table(const char *type, const char *name, int cells, int points, entry_function entry, double limit)
 {
-    printf("\nconst %s %s[%d] GLINT_FLASH = {", type, name, count);
-    for (int i = 0; i < count; i++) {
-        double value = floor(entry(i) + 0.5);
+    printf("\nconst %s %s[%d] GLINT_FLASH = {", type, name, points);
+    for (int i = 0; i < points; i++) {
+        const double value = entry(i, cells);
         printf("%s%.0f", i % 12 ? ", " : i ? ",\n    " : "\n    ", value < limit ? value : limit);
     }
     printf("};\n");
+}
+
+static void print_power_tables(int cells)
+{
+    print_table("uint16_t", "glint_log_slope_q14", cells, cells + 1, log_slope, 65535);
+    print_table("uint16_t", "glint_exp_fraction_q15", cells, cells + 1, exp_fraction, 65535);
 }
 
 int main(void)
@@ -66,10 +97,15 @@ int main(void)
            "/* Made by: build/generate-tables > src/number/tables.c */\n"
            "/* clang-format off */\n"
            "#include \"number/tables.h\"\n");
-    print_table("uint16_t", "glint_reciprocal_seed_q15", 64, reciprocal_seed, 65535);
-    print_table("uint16_t", "glint_root_seed_q16", 24, root_seed, 65535);
-    print_table("uint16_t", "glint_log_slope_q14", 33, log_slope, 65535);
-    print_table("uint16_t", "glint_exp_fraction_q15", 33, exp_fraction, 65535);
-    print_table("uint8_t", "glint_bayer_rank", 64, bayer, 63);
+    print_table("uint16_t", "glint_reciprocal_seed_q15", 64, 64, reciprocal_seed, 65535);
+    printf("\n#if GLINT_SMALL_TABLES\n");
+    print_table("uint16_t", "glint_root_seed_q16", 24, 24, root_seed, 65535);
+    print_power_tables(16);
+    printf("\n#else\n");
+    print_table("uint16_t", "glint_root_q16", 192, 193, root, 65535);
+    print_power_tables(32);
+    printf("\n#endif\n");
+    print_table("uint8_t", "glint_clz_u4", 16, 16, clz_u4, 255);
+    print_table("uint8_t", "glint_bayer_rank", 64, 64, bayer, 63);
     return ferror(stdout) || fflush(stdout) ? 1 : 0;
 }

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Installs what the tests, the checks or the emulated targets need and the system does not have:
-# tools/install-packages.sh test|verify|targets|fuzz|proofs
+# tools/install-packages.sh test|verify|targets|cost|coverage|fuzz|proofs
 #
 # Each need is probed (a command that runs, a header and library that link), so nothing is asked of the package manager
 # when all is there. Says what it installs and why. Runs as root or with a sudo that asks for no password; without
@@ -11,9 +11,9 @@ set -eu
 
 stage=${1:-}
 case $stage in
-test | verify | targets | fuzz | proofs) ;;
+test | verify | targets | cost | coverage | fuzz | proofs) ;;
 *)
-    echo "usage: tools/install-packages.sh test|verify|targets|fuzz|proofs" >&2
+    echo "usage: tools/install-packages.sh test|verify|targets|cost|coverage|fuzz|proofs" >&2
     exit 2
     ;;
 esac
@@ -145,6 +145,23 @@ needs_targets() {
     need "has_command qemu-s390x" "s390x emulator" qemu-user qemu-user qemu-user qemu-s390x qemu-linux-user -
     need "has_command qemu-i386" "32-bit x86 emulator" qemu-user qemu-user qemu-user qemu-i386 qemu-linux-user -
     need "has_command simavr" "AVR emulator" simavr simavr - - - simavr
+}
+
+needs_coverage() {
+    need "has_compiler gcc c" "counts what runs" gcc gcc gcc gcc gcc gcc
+    need "has_command gcovr" "reads the counts" gcovr gcovr gcovr gcovr - gcovr
+}
+
+needs_cost() {
+    need "has_command bash" "runs the emulators" bash bash bash bash bash bash
+    needs_cross
+    need "has_command qemu-system-arm" "Cortex-M emulator" \
+        qemu-system-arm qemu-system-arm-core qemu-system-arm qemu-system-arm qemu-arm qemu
+    need "has_command qemu-system-riscv32" "RISC-V emulator" \
+        qemu-system-misc qemu-system-riscv-core qemu-system-riscv qemu-system-riscv32 qemu-extra qemu
+    need "has_command simavr" "AVR emulator" simavr simavr - - - simavr
+    need "has_command node" "runs the RP2040 emulator" nodejs nodejs nodejs nodejs nodejs node
+    need "has_command npm" "gets the RP2040 emulator, rp2040js" npm nodejs-npm npm npm npm node
 }
 
 manager=

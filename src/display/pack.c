@@ -30,13 +30,17 @@ uint32_t glint_row_bytes(uint8_t format, uint16_t width_px)
 
 static uint32_t level(uint32_t value_q15, uint32_t greatest, uint32_t threshold_q15)
 {
+    GLINT_TRACE("level product", value_q15 * greatest + threshold_q15);
     return (value_q15 * greatest + threshold_q15) >> 15; /* <= 2^15 255 + 2^15 */
 }
 
 /* Luma in Q15 with weights that sum to 256, so that white is 1. */
 static uint32_t luma_q15(const glint_shade *shade)
 {
-    return ((uint32_t)77 * shade->r_q15 + (uint32_t)150 * shade->g_q15 + (uint32_t)29 * shade->b_q15 + 128) >> 8;
+    const uint32_t luma =
+        ((uint32_t)77 * shade->r_q15 + (uint32_t)150 * shade->g_q15 + (uint32_t)29 * shade->b_q15 + 128) >> 8;
+    GLINT_TRACE("luma q15", luma);
+    return luma;
 }
 
 static uint32_t threshold_q15(const glint_target *target, int16_t x, int16_t y)

@@ -67,6 +67,7 @@ glint_place glint_shift(int32_t x_q16, int32_t y_q16, int32_t z_q16)
 static int32_t row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t plus)
 {
     const int64_t sum = (((int64_t)row[0] * x) >> 2) + (((int64_t)row[1] * y) >> 2) + (((int64_t)row[2] * z) >> 2);
+    GLINT_TRACE("place sum", sum);
     return saturate_s32(((sum + (1 << 13)) >> 14) + plus);
 }
 

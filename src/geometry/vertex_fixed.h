@@ -33,6 +33,9 @@ static inline view_vertex vertex_to_view(const transform_state *state, const int
 {
     const view_vertex v = {transform_row(state->x, position), transform_row(state->y, position),
                            transform_row(state->z, position)};
+    GLINT_TRACE("view x y", v.x);
+    GLINT_TRACE("view x y", v.y);
+    GLINT_TRACE("view z", v.z);
     return v;
 }
 
@@ -45,6 +48,7 @@ static inline bool vertex_is_near(const transform_state *state, const view_verte
 static inline bool project_coordinate(int32_t coordinate, uint32_t r, int down, int32_t centre, int32_t *screen)
 {
     const int64_t product = (int64_t)coordinate * r; /* < 2^61 */
+    GLINT_TRACE("projection product", product);
     if (down < 1 || down > 62) {
         *screen = centre;
         return down > 62 || product == 0; /* infinitely small or large */
@@ -53,6 +57,7 @@ static inline bool project_coordinate(int32_t coordinate, uint32_t r, int down, 
     if (fine < -(int32_t)GLINT_GUARD_PX * GLINT_FINE || fine > (int32_t)GLINT_GUARD_PX * GLINT_FINE) {
         return false;
     }
+    GLINT_TRACE("screen from centre q12", fine);
     *screen = centre + (int32_t)fine;
     return true;
 }
@@ -75,6 +80,7 @@ static inline bool vertex_project(const transform_state *state, const view_verte
                           : depth_down > 62 ? 0
                                             : ((int64_t)state->depth_near.m * r) >> depth_down; /* near SPAN / Z */
     screen->depth_q30 = GLINT_DEPTH_BIAS + (int32_t)(depth < GLINT_DEPTH_SPAN ? depth : GLINT_DEPTH_SPAN);
+    GLINT_TRACE("inverse depth q30", screen->depth_q30);
     return true;
 }
 
@@ -90,8 +96,9 @@ static inline plane_distance clip_distance(const transform_state *state, const v
         return (int64_t)v->z - state->near_z;
     }
     const int32_t coordinate = plane <= 2 ? v->x : v->y;
-    const int64_t edge =
-        shift_round64((int64_t)v->z * (GLINT_GUARD_PX - 4), state->xy_fraction - state->z_fraction); /* px x units */
+    /* px x units of X; from a shift of 20 on, the band's edge is beyond every coordinate, and beyond 22 it overflows */
+    const int shift = state->xy_fraction - state->z_fraction;
+    const int64_t edge = shift_round64((int64_t)v->z * (GLINT_GUARD_PX - 4), shift < 22 ? shift : 22);
     return plane & 1 ? edge - coordinate : edge + coordinate;
 }
 
@@ -105,12 +112,16 @@ static inline clip_ratio clip_crossing(plane_distance inside, plane_distance out
     const uint32_t divisor = (uint32_t)(bits > 32 ? whole >> (bits - 32) : whole << (32 - bits));
     const uint32_t dividend = (uint32_t)(bits > 32 ? (uint64_t)inside >> (bits - 32) : (uint64_t)inside << (32 - bits));
     /* dividend / divisor = dividend r / 2^62 */
-    return (int32_t)(((uint64_t)dividend * glint_reciprocal_q31(divisor)) >> 32);
+    const uint64_t ratio_q30 = ((uint64_t)dividend * glint_reciprocal_q31(divisor)) >> 32;
+    GLINT_TRACE("clip ratio q30", ratio_q30);
+    return (int32_t)ratio_q30;
 }
 
 static inline int32_t clip_blend(int32_t from, int32_t to, clip_ratio t_q30)
 {
-    return from + (int32_t)((((int64_t)to - from) * t_q30) >> 30);
+    const int64_t way = (((int64_t)to - from) * t_q30) >> 30;
+    GLINT_TRACE("clip way", way);
+    return from + (int32_t)way;
 }
 
 static inline bool vertex_is_finite(const view_vertex *v)

@@ -18,6 +18,7 @@ static void multiply(const int32_t (*matrix)[3], const int64_t v[3], int64_t out
 {
     for (int i = 0; i < 3; i++) {
         out[i] = matrix[i][0] * v[0] + matrix[i][1] * v[1] + matrix[i][2] * v[2];
+        GLINT_TRACE("turned offset q46", out[i]);
     }
 }
 
@@ -92,9 +93,13 @@ void glint_view_set_up(glint_view *view, const glint_camera *camera, uint16_t wi
 static void scale_row(const int64_t linear_q46[3], int64_t origin_q46, int fraction_bits, int fraction, int32_t row[4])
 {
     for (int k = 0; k < 3; k++) {
-        row[k] = (int32_t)shift_round64(linear_q46[k], fraction + 16 - 46 - fraction_bits);
+        const int64_t entry = shift_round64(linear_q46[k], fraction + 16 - 46 - fraction_bits);
+        GLINT_TRACE("row entry", entry);
+        row[k] = (int32_t)entry;
     }
-    row[3] = (int32_t)shift_round64(origin_q46, fraction - 46);
+    const int64_t origin = shift_round64(origin_q46, fraction - 46);
+    GLINT_TRACE("row origin", origin);
+    row[3] = (int32_t)origin;
 }
 
 /* Number of bits that a row's result can have before the binary point (negative for a small one). */
@@ -121,11 +126,13 @@ void glint_transform_set_up(glint_transform *transform, const glint_view *view, 
     glint_linear_of(&object->place, linear_q16);
     for (int i = 0; i < 3; i++) {
         offset_q16[i] = (int64_t)object->place.origin_q16[i] - view->eye_q16[i]; /* <= 2^31 */
+        GLINT_TRACE("offset from the eye q16", offset_q16[i]);
         for (int k = 0; k < 3; k++) {
             /* <= 2^30 2^26 sqrt(3) */
             to_view_q46[i][k] = (int64_t)view->basis_q30[i][0] * linear_q16[0][k] +
                                 (int64_t)view->basis_q30[i][1] * linear_q16[1][k] +
                                 (int64_t)view->basis_q30[i][2] * linear_q16[2][k];
+            GLINT_TRACE("model to view q46", to_view_q46[i][k]);
         }
     }
     multiply(view->basis_q30, offset_q16, origin_q46); /* a unit row times a vector: <= 2^30 2^31 sqrt(3) < 2^62 */
@@ -147,6 +154,8 @@ void glint_transform_set_up(glint_transform *transform, const glint_view *view, 
     const int near_shift = z_fraction - near.f;
     const int64_t near_z = near_shift > 1 ? INT32_MAX : shift_round64(near.m, near_shift);
     transform->near_z = near_z < 1 ? 1 : saturate_s32(near_z);
+    GLINT_TRACE("view fraction", transform->xy_fraction);
+    GLINT_TRACE("view fraction", transform->z_fraction);
     transform->depth_near = glint_scaled_from((uint64_t)near.m * (uint32_t)GLINT_DEPTH_SPAN, near.f);
 }
 
@@ -158,6 +167,7 @@ static bool keeps_angles(int32_t linear_q16[3][3], uint64_t *three_squares_q32)
         for (int k = 0; k < 3; k++) {
             gram[i][k] = (int64_t)linear_q16[0][i] * linear_q16[0][k] + (int64_t)linear_q16[1][i] * linear_q16[1][k] +
                          (int64_t)linear_q16[2][i] * linear_q16[2][k];
+            GLINT_TRACE("gram q32", gram[i][k]);
         }
     }
     const uint64_t limit = (uint64_t)gram[0][0] >> 13;
@@ -186,6 +196,7 @@ static void normalise_rows(int64_t in[3][3], int32_t out[3][3])
         for (int k = 0; k < 3; k++) {
             out[i][k] = (int32_t)shift_round64(in[i][k], 29 - bits);
         }
+        GLINT_TRACE("normal row sum", magnitude32(out[i][0]) + magnitude32(out[i][1]) + magnitude32(out[i][2]));
     }
 }
 
@@ -203,12 +214,14 @@ static int determinant_sign(int32_t linear_q16[3][3], int64_t cofactor[3][3])
     const int up = 27 - bit_length64(greatest);
     int64_t determinant = 0;
     for (int k = 0; k < 3; k++) {
+        GLINT_TRACE("cofactor q32", cofactor[0][k]);
         determinant +=
             shift_round64(linear_q16[0][k], up) * shift_round64(cofactor[0][k], 2 * up - 23); /* sum < 2^61 */
     }
     /* m in [2^26, 2^27): m^3 2^-24 2^-23 is in [2^31, 2^34) */
     const uint64_t m = (uint64_t)greatest << up;
     const uint64_t limit = (((m * m) >> 32) * m) >> 15;
+    GLINT_TRACE("determinant", determinant);
     return magnitude64(determinant) < limit || determinant == 0 ? 0 : determinant > 0 ? 1 : -1;
 }
 
@@ -245,13 +258,17 @@ static void rays_set_up(glint_frame *frame, const glint_view *view, int32_t to_v
         for (int i = 0; i < 2; i++) {
             /* Q30 times m 2^-f, kept in 62 bits for the origin */
             step[i] = (int64_t)to_view_q30[i][k] * inverse.m;
-            frame->ray[i + 1][k] = (int32_t)shift_round64(step[i], frame->ray_fraction - 30 - inverse.f);
+            const int64_t ray_step = shift_round64(step[i], frame->ray_fraction - 30 - inverse.f);
+            GLINT_TRACE("ray step product", step[i]);
+            GLINT_TRACE("ray step", ray_step);
+            frame->ray[i + 1][k] = (int32_t)ray_step;
         }
         /* from pixel (0, 0): (1 - width) / 2 and (1 - height) / 2 steps; steps are cut to 49 bits for the product */
         const int64_t sideways =
             (step[0] >> 13) * (1 - (int64_t)view->width_px) + (step[1] >> 13) * (1 - (int64_t)view->height_px);
-        frame->ray[0][k] = (int32_t)(shift_round64(sideways, frame->ray_fraction - 30 - inverse.f + 13 - 1) +
-                                     shift_round64(to_view_q30[2][k], frame->ray_fraction - 30));
+        const int64_t across = shift_round64(sideways, frame->ray_fraction - 30 - inverse.f + 13 - 1);
+        GLINT_TRACE("ray sideways", across);
+        frame->ray[0][k] = (int32_t)(across + shift_round64(to_view_q30[2][k], frame->ray_fraction - 30));
     }
 }
 
@@ -273,17 +290,20 @@ void glint_frame_set_up(glint_frame *frame, const glint_view *view, const glint_
         const glint_scaled inverse = glint_scaled_from((uint64_t)inverse_root.m * 1859775393u, inverse_root.f + 30);
         for (int i = 0; i < 3; i++) {
             for (int k = 0; k < 3; k++) {
-                frame->from_world_q30[i][k] =
-                    (int32_t)shift_round64((int64_t)linear_q16[k][i] * inverse.m, 30 - 16 - inverse.f);
+                const int64_t entry = shift_round64((int64_t)linear_q16[k][i] * inverse.m, 30 - 16 - inverse.f);
+                GLINT_TRACE("from world q30", entry);
+                frame->from_world_q30[i][k] = (int32_t)entry;
             }
         }
         for (int i = 0; i < 3; i++) {
             for (int k = 0; k < 3; k++) {
                 const int32_t *axis = frame->from_world_q30[k]; /* axis k of the frame in world components */
-                to_view_q30[i][k] = (int32_t)shift_round64((int64_t)view->basis_q30[i][0] * axis[0] +
-                                                               (int64_t)view->basis_q30[i][1] * axis[1] +
-                                                               (int64_t)view->basis_q30[i][2] * axis[2],
-                                                           -30);
+                const int64_t entry =
+                    shift_round64((int64_t)view->basis_q30[i][0] * axis[0] + (int64_t)view->basis_q30[i][1] * axis[1] +
+                                      (int64_t)view->basis_q30[i][2] * axis[2],
+                                  -30);
+                GLINT_TRACE("frame to view q30", entry);
+                to_view_q30[i][k] = (int32_t)entry;
             }
         }
     } else {
@@ -331,6 +351,7 @@ void glint_placement_set_up(glint_placement *placement, const glint_frame *frame
         multiply_row(placement->rows[i], inverse_near.m);
     }
     placement->fraction = (int16_t)(30 - bits + inverse_near.f - 31);
+    GLINT_TRACE("placement fraction", placement->fraction);
 }
 
 void glint_light_direction(const glint_frame *frame, const glint_light *light, int32_t unit_q30[3])
@@ -364,7 +385,10 @@ void glint_light_position(const glint_frame *frame, const glint_view *view, cons
         bits = 29;
     }
     for (int k = 0; k < 3; k++) {
-        position[k] = (int32_t)((shift_round64(turned_q46[k], shift) * inverse_near.m) >> 31);
+        const int64_t component = (shift_round64(turned_q46[k], shift) * inverse_near.m) >> 31;
+        GLINT_TRACE("light position", component);
+        position[k] = (int32_t)component;
     }
+    GLINT_TRACE("light position fraction", bits);
     *fraction = (int16_t)bits;
 }

@@ -3,7 +3,9 @@
  * The operations of the light terms in fixed point.
  *
  * Unit vectors are Q15 in int32_t (32768 is 1). A product of two components of unit vectors is at most 2^30 in
- * magnitude, and so is their dot product (Cauchy-Schwarz), partial sums included.
+ * magnitude, and so is their dot product (Cauchy-Schwarz), partial sums included, but for rounding: that lengthens a
+ * unit vector by at most 1.86 units, see number/fixed.h. So a dot product exceeds 2^30 by less than 2^18, and a cosine
+ * 32768 by less than 8.
  *
  * The specular cosine enters as gap = 1 - cosine = |a - b|^2 / 2 of the two unit vectors: near the highlight's centre,
  * where a large exponent magnifies errors, rounding of a and b then enters the gap only to second order.
@@ -21,7 +23,8 @@ typedef struct light_product {
     uint32_t q15[3];
 } light_product;
 
-/* Sum of light, Q16 a channel: with GLINT_MAX_LIGHTS lights of 2 (diffuse) + 2 (specular) at most 2^12 2^18 = 2^30. */
+/* Sum of light, Q16 a channel: with GLINT_MAX_LIGHTS lights of 2 (diffuse) + 2 (specular) at most 2^12 2^18 = 2^30, and
+ * less than 2^18 more for the ambient light (2^17) and for cosines that rounding takes beyond 1. */
 typedef struct light_sum {
     uint32_t q16[3];
 } light_sum;
@@ -43,11 +46,14 @@ static inline bool light_product_is_zero(const light_product *product)
     return (product->q15[0] | product->q15[1] | product->q15[2]) == 0;
 }
 
-/* sum += product factor, factor Q15 0..32768 */
+/* sum += product factor, factor Q15 0..32775: the product stays below 2^32 */
 static inline void light_add(light_sum *sum, const light_product *product, real factor_q15)
 {
+    GLINT_TRACE("light factor q15", factor_q15);
     for (int k = 0; k < 3; k++) {
         sum->q16[k] += (product->q15[k] * (uint32_t)factor_q15 + (1 << 13)) >> 14;
+        GLINT_TRACE("light product q15", product->q15[k]);
+        GLINT_TRACE("light sum q16", sum->q16[k]);
     }
 }
 
@@ -97,12 +103,15 @@ static inline uint32_t gap_between(const real a[3], const real b[3])
     return sum;
 }
 
-/* r = 2 (n.s) n - s against c. */
+/* r = 2 (n.s) n - s against c; rounding of n and s takes r beyond length 1 by less than 16 units. */
 static inline uint32_t gap_mirror(const real n[3], const real s[3], const real c[3], real cosine_ns)
 {
     real r[3];
     for (int k = 0; k < 3; k++) {
         r[k] = ((cosine_ns * n[k] + (1 << 13)) >> 14) - s[k];
+        GLINT_TRACE("unit vector q15", n[k]);
+        GLINT_TRACE("unit vector q15", s[k]);
+        GLINT_TRACE("mirrored direction q15", r[k]);
     }
     return gap_between(r, c);
 }
@@ -143,6 +152,7 @@ static inline light_exponent exponent_from(uint16_t exponent_q4)
 
 static inline real light_power(light_gap gap, light_exponent exponent)
 {
+    GLINT_TRACE("specular gap q31", gap);
     return glint_power_q15(gap, exponent);
 }
 
@@ -167,6 +177,7 @@ static inline void light_place_direction(light_place *place, const glint_frame *
     glint_light_direction(frame, light, unit_q30);
     for (int k = 0; k < 3; k++) {
         place->v[k] = (unit_q30[k] + (1 << 14)) >> 15;
+        GLINT_TRACE("light direction q15", place->v[k]);
         place->fine_q30[k] = unit_q30[k];
     }
 }
@@ -200,12 +211,14 @@ static inline bool light_towards(const light_place *light, const surface *at, re
     const int finer = fraction - at->ray_fraction;
     uint32_t whole = 0, difference = 0;
     for (int k = 0; k < 3; k++) {
-        const real product = multiply_high_s32(light->v[k], at->inverse); /* <= 2^28 */
+        const real product = multiply_high_s32(light->v[k], at->inverse); /* < 2^28 + 2^20 */
+        GLINT_TRACE("light times inverse", product);
         if (finer >= 0) {
             v[k] = (finer > 30 ? 0 : product >> finer) - at->ray[k];
         } else {
             v[k] = product - (finer < -30 ? 0 : at->ray[k] >> -finer);
         }
+        GLINT_TRACE("towards a light", v[k]);
         difference |= magnitude32(v[k]);
         whole |= magnitude32(finer >= 0 ? at->ray[k] : product);
     }

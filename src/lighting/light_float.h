@@ -62,24 +62,9 @@ static inline glint_shade light_finish(const light_sum *sum)
     return shade;
 }
 
-/* The vector is scaled by its largest component first, so that no square over- or underflows. */
 static inline bool unit(const real v[3], real out[3])
 {
-    float greatest = 0.0f;
-    for (int k = 0; k < 3; k++) {
-        const float magnitude = v[k] < 0.0f ? -v[k] : v[k];
-        greatest = magnitude > greatest ? magnitude : greatest;
-    }
-    if (!(greatest > 1e-30f && greatest < 1e30f)) {
-        return false;
-    }
-    const float scale = 1.0f / greatest;
-    const float x = v[0] * scale, y = v[1] * scale, z = v[2] * scale;
-    const float inverse = glint_inverse_root(x * x + y * y + z * z);
-    out[0] = x * inverse;
-    out[1] = y * inverse;
-    out[2] = z * inverse;
-    return true;
+    return glint_unit(v, out);
 }
 
 static inline real cosine_of(const real a[3], const real b[3])

@@ -10,15 +10,18 @@ uint32_t glint_reciprocal_q31(uint32_t x_q31)
     for (int step = 0; step < 2; step++) {
         /* 1 - x r in Q30; |.| < 2^23 in the first step, so four times it fits */
         const int32_t residual_q30 = ((int32_t)1 << 30) - (int32_t)multiply_high_u32(x_q31, r);
+        GLINT_TRACE("reciprocal residual q30", residual_q30);
         r += (uint32_t)multiply_high_s32((int32_t)r, residual_q30 * 4);
     }
+    GLINT_TRACE("reciprocal q31", r);
     return r;
 }
 
-/*
- * 1/sqrt(s / 2^30) in Q16, 2^30 <= s < 2^32: a number in (1/2, 1], 65535 standing for 1.
- * Relative error at most 2^-15.7, of which 2^-16 is the rounding to Q16.
- */
+#if GLINT_SMALL_TABLES
+
+/* 1/sqrt(s / 2^30) in Q16, 2^30 <= s < 2^32, from a table of 24 cells and two Newton steps. Relative error at most
+ * 2^-15.98, of which 2^-16 is the rounding to Q16; greatest near s = 2^32, at 4294048712. The result is in [2^15,
+ * 2^16), 65535 standing for 1. */
 static uint32_t inverse_root_q16(uint32_t s_q30)
 {
     uint32_t y = flash_u16(&glint_root_seed_q16[(s_q30 >> 27) - 8]);
@@ -35,32 +38,49 @@ static uint32_t inverse_root_q16(uint32_t s_q30)
     return y > 65535 ? 65535 : y;
 }
 
+#else
+
+/* 1/sqrt(s / 2^30) in Q16, 2^30 <= s < 2^32, linear within one of 192 cells. Relative error at most 2^-15.01; greatest
+ * in the last cell, at s = 4294709248, where it is -2^-15.023. The table allows for the chord lying above the curve and
+ * for the rounding. The result is in [2^15, 2^16), 65535 standing for 1. Overflow: a cell's entries differ by at most
+ * 506, so the product is below 2^25. */
+static uint32_t inverse_root_q16(uint32_t s_q30)
+{
+    const uint16_t *const cell = glint_root_q16 + ((s_q30 >> 24) - 64);
+    const uint32_t left = flash_u16(cell), right = flash_u16(cell + 1); /* left - right <= 506 */
+    return left - (((left - right) * (s_q30 >> 8 & 0xffff)) >> 16);
+}
+
+#endif
+
 bool glint_unit_q15(const int32_t v[3], int32_t unit[3])
 {
-    const uint32_t x = magnitude32(v[0]), y = magnitude32(v[1]), z = magnitude32(v[2]);
-    const int shift = clz32(x | y | z);
-    if (shift == 32) {
+    uint32_t x = magnitude32(v[0]), y = magnitude32(v[1]), z = magnitude32(v[2]);
+    const uint32_t any = x | y | z;
+    if (any == 0) {
         return false;
     }
-    /* the largest in [2^15, 2^16): rounding may carry to 2^16, which the clamp takes back */
-    uint32_t w[3] = {x << shift, y << shift, z << shift};
-    uint32_t sum = 0;
-    for (int k = 0; k < 3; k++) {
-        w[k] = w[k] >= 0xffff8000 ? 0xffff : (w[k] + 0x8000) >> 16;
-        sum += (w[k] * w[k]) >> 2; /* each < 2^30: the sum < 2^31.6, and >= 2^28 */
-    }
+    const int shift = clz32(any);
+    /* The largest to [2^15, 2^16). Bits below are dropped, and every component stands for itself plus 1/2 from here on:
+     * as near as rounding, with no carry to look after. (w + 1/2)^2 is w (w + 1), less than 2^32, plus 1/4. */
+    x = (x << shift) >> 16;
+    y = (y << shift) >> 16;
+    z = (z << shift) >> 16;
+    uint32_t sum = ((x * (x + 1)) >> 2) + ((y * (y + 1)) >> 2) + ((z * (z + 1)) >> 2); /* >= 2^28, < 2^31.6 */
     /* |w| = 2 sqrt(sum). With sum in [2^30, 2^32), w / |w| in Q15 is w y / 2^17; below, sum is multiplied by 4 and y
      * comes out half as large. */
-    int down = 17;
-    if (sum < (uint32_t)1 << 30) {
+    int down = 16;
+    if (sum >> 30) {
+        down = 17;
+    } else {
         sum <<= 2;
-        down = 16;
     }
-    const uint32_t inverse_q16 = inverse_root_q16(sum);
-    for (int k = 0; k < 3; k++) {
-        const int32_t component = (int32_t)(((w[k] * inverse_q16 >> (down - 1)) + 1) >> 1);
-        unit[k] = v[k] < 0 ? -component : component;
-    }
+    const uint32_t inverse = inverse_root_q16(sum);
+    /* (w + 1/2) y, and half of the last place to round: w, y <= 2^16 - 1 keep the sum below 2^32 */
+    const uint32_t half = (((uint32_t)1 << down) + inverse) >> 1;
+    unit[0] = with_sign_of(v[0], (x * inverse + half) >> down);
+    unit[1] = with_sign_of(v[1], (y * inverse + half) >> down);
+    unit[2] = with_sign_of(v[2], (z * inverse + half) >> down);
     return true;
 }
 
@@ -88,11 +108,16 @@ bool glint_unit_q28(const int32_t v[3], int32_t unit[3])
     const int32_t residual_q28 = ((int32_t)1 << 28) - (int32_t)multiply_high_u32(multiply_high_u32(y_q31, y_q31), sum);
     y_q31 += (uint32_t)multiply_high_s32((int32_t)y_q31, residual_q28 * 8);
     for (int k = 0; k < 3; k++) {
-        const int32_t component = (int32_t)(((multiply_high_u32(w[k], y_q31) >> (down - 1)) + 1) >> 1);
-        unit[k] = v[k] < 0 ? -component : component;
+        const uint32_t component = ((multiply_high_u32(w[k], y_q31) >> (down - 1)) + 1) >> 1;
+        unit[k] = with_sign_of(v[k], component);
     }
     return true;
 }
+
+/* Bits of the fraction within a cell, of an index of 15 bits into the logarithm's table and 14 into the exponential's.
+ */
+#define LOG_BITS (15 - GLINT_POWER_CELLS_LOG2)
+#define EXP_BITS (14 - GLINT_POWER_CELLS_LOG2)
 
 /* table[index / 2^bits], linear between entries. */
 static uint32_t interpolate(const uint16_t *table, uint32_t index, int bits)
@@ -120,20 +145,23 @@ uint16_t glint_power_q15(uint32_t gap_q31, uint16_t exponent_q4)
         /* the last entry has no right neighbour: 2^k x = 1/2 exactly, t = k + 1 */
         return (uint32_t)(k + 1) * exponent_q4 >= 16 * 17
                    ? 0
-                   : (uint16_t)(interpolate(glint_exp_fraction_q15, ((uint32_t)(k + 1) * exponent_q4 & 15) << 10, 9) >>
+                   : (uint16_t)(interpolate(glint_exp_fraction_q15, ((uint32_t)(k + 1) * exponent_q4 & 15) << 10,
+                                            EXP_BITS) >>
                                 ((uint32_t)(k + 1) * exponent_q4 >> 4));
     }
-    const uint32_t slope_q14 = interpolate(glint_log_slope_q14, y_q31 >> 15, 10); /* 32 cells over y < 1/2 */
+    const uint32_t slope_q14 = interpolate(glint_log_slope_q14, y_q31 >> 15, LOG_BITS); /* the cells lie over y < 1/2 */
     /* y P(y) in Q29, below 1 but for rounding */
     const uint32_t log_q29 = (y_q31 >> 16) * slope_q14 + (((y_q31 & 0xffff) * slope_q14) >> 16);
     const uint32_t t_q26 = ((uint32_t)k << 26) + ((log_q29 + 4) >> 3); /* <= 31 2^26 < 2^31 */
     /* a t in Q14: (exponent_q4 / 16) (t_q26 / 2^26) = exponent_q4 t_q26 / 2^30; times 2^14 is / 2^16 */
     const uint32_t at_q14 = (t_q26 >> 16) * exponent_q4 + (((t_q26 & 0xffff) * exponent_q4) >> 16); /* < 2^31 */
     const uint32_t whole = at_q14 >> 14;
+    GLINT_TRACE("power t q26", t_q26);
+    GLINT_TRACE("power a t q14", at_q14);
     if (whole > 16) {
         return 0; /* below 2^-17: less than a quarter of an ulp */
     }
-    return (uint16_t)(interpolate(glint_exp_fraction_q15, at_q14 & 0x3fff, 9) >> whole);
+    return (uint16_t)(interpolate(glint_exp_fraction_q15, at_q14 & 0x3fff, EXP_BITS) >> whole);
 }
 
 void glint_sine_cosine_q30(uint16_t angle_turn16, int32_t *sine_q30, int32_t *cosine_q30)
@@ -155,6 +183,8 @@ void glint_sine_cosine_q30(uint16_t angle_turn16, int32_t *sine_q30, int32_t *co
         cosine = one - (int32_t)((xx * cosine) >> 30) / (n * (n - 1));
     }
     sine = (x * sine) >> 30;
+    GLINT_TRACE("sine q30", sine);
+    GLINT_TRACE("cosine q30", cosine);
     const int32_t s = (int32_t)(folded ? cosine : sine), c = (int32_t)(folded ? sine : cosine);
     *sine_q30 = quadrant == 0 ? s : quadrant == 1 ? c : quadrant == 2 ? -s : -c;
     *cosine_q30 = quadrant == 0 ? c : quadrant == 1 ? -s : quadrant == 2 ? -c : s;
@@ -192,10 +222,13 @@ bool glint_unit_q30(const int64_t v[3], int32_t unit_q30[3])
         w[k] = shift_round64(v[k], shift);
         sum += (uint64_t)(w[k] * w[k]);
     }
+    GLINT_TRACE("unit q30 sum of squares", sum);
     /* four times the square doubles the root, which then has 31 bits */
     const glint_scaled inverse = glint_scaled_inverse(glint_scaled_from(glint_square_root_u64(sum << 2), 1));
     for (int k = 0; k < 3; k++) {
-        unit_q30[k] = (int32_t)shift_round64(w[k] * inverse.m, 30 - inverse.f);
+        const int64_t component = shift_round64(w[k] * inverse.m, 30 - inverse.f);
+        GLINT_TRACE("unit vector q30", component);
+        unit_q30[k] = (int32_t)component;
     }
     return true;
 }
@@ -204,6 +237,8 @@ glint_scaled glint_scaled_from(uint64_t value, int fraction)
 {
     const int up = 31 - bit_length64(value);
     const glint_scaled scaled = {(int32_t)(up >= 0 ? value << up : value >> -up), (int16_t)(fraction + up)};
+    GLINT_TRACE("scaled mantissa", scaled.m);
+    GLINT_TRACE("scaled exponent", fraction + up);
     return scaled;
 }
 

@@ -15,6 +15,8 @@
 
 #include <glint/config.h>
 
+#include "number/tables.h"
+
 /* >> of a negative number is taken to be arithmetic, and int32_t to wrap when converted from uint32_t, as on every
  * compiler for the targets of this library. C99 leaves both to the implementation, hence this check. */
 typedef char glint_assert_arithmetic_shift[(-3 >> 1) == -2 && (int32_t)0xfffffffdu == -3 ? 1 : -1];
@@ -32,42 +34,95 @@ typedef char glint_assert_arithmetic_shift[(-3 >> 1) == -2 && (int32_t)0xfffffff
 #endif
 #endif
 
+/*
+ * Notes the range of a named quantity, as it is before it is narrowed. The checking build (make ranges) defines this
+ * and holds what it saw against the documented ranges; in every other build it is nothing, and `value` is not computed.
+ */
+#ifndef GLINT_TRACE
+#define GLINT_TRACE(quantity, value) ((void)0)
+#endif
+
+/* Reads constant data that may live in program memory. */
+#if defined(__AVR__)
+static inline uint8_t flash_u8(const uint8_t *address)
+{
+    return pgm_read_byte(address);
+}
+static inline uint16_t flash_u16(const uint16_t *address)
+{
+    return pgm_read_word(address);
+}
+static inline int16_t flash_s16(const int16_t *address)
+{
+    return (int16_t)pgm_read_word(address);
+}
+#else
+static inline uint8_t flash_u8(const uint8_t *address)
+{
+    return *address;
+}
+static inline uint16_t flash_u16(const uint16_t *address)
+{
+    return *address;
+}
+static inline int16_t flash_s16(const int16_t *address)
+{
+    return *address;
+}
+#endif
+
+/* Does the processor count leading zeros, or have a short library routine for it (AVR)? Else a search in C, inline,
+ * takes half the time of the compiler's routine. */
+#if !defined(__GNUC__) || (defined(__arm__) && !defined(__ARM_FEATURE_CLZ)) ||                                         \
+    (defined(__riscv) && !defined(__riscv_zbb))
+#define GLINT_SEARCH_LEADING_ZEROS 1
+#else
+#define GLINT_SEARCH_LEADING_ZEROS 0
+#endif
+
+/* Number of leading zero bits, 32 for 0: halving down to four bits, then from a table. */
+static inline int clz32_search(uint32_t value)
+{
+    int zeros = 0;
+    if (!(value >> 16)) {
+        value <<= 16;
+        zeros = 16;
+    }
+    if (!(value >> 24)) {
+        value <<= 8;
+        zeros += 8;
+    }
+    if (!(value >> 28)) {
+        value <<= 4;
+        zeros += 4;
+    }
+    return zeros + flash_u8(&glint_clz_u4[value >> 28]);
+}
+
 /* Number of leading zero bits; 32 for 0. */
 static inline int clz32(uint32_t value)
 {
-#if defined(__GNUC__) && ULONG_MAX == 0xffffffff && !(defined(__riscv) && !defined(__riscv_zbb))
+#if GLINT_SEARCH_LEADING_ZEROS
+    return clz32_search(value);
+#elif ULONG_MAX == 0xffffffff
     return value ? __builtin_clzl(value) : 32;
-#elif defined(__GNUC__) && UINT_MAX == 0xffffffff && !defined(__riscv)
-    return value ? __builtin_clz(value) : 32;
 #else
-    int zeros = 0;
-    if (value == 0) {
-        return 32;
-    }
-    if (value < 0x10000) {
-        zeros = 16;
-        value <<= 16;
-    }
-    if (value < 0x1000000) {
-        zeros += 8;
-        value <<= 8;
-    }
-    if (value < 0x10000000) {
-        zeros += 4;
-        value <<= 4;
-    }
-    if (value < 0x40000000) {
-        zeros += 2;
-        value <<= 2;
-    }
-    return value < 0x80000000 ? zeros + 1 : zeros;
+    return value ? __builtin_clz(value) : 32;
 #endif
 }
 
 /* |value| without overflow: INT32_MIN gives 2^31. */
 static inline uint32_t magnitude32(int32_t value)
 {
-    return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
+    const uint32_t sign = 0u - ((uint32_t)value >> 31);
+    return ((uint32_t)value ^ sign) - sign;
+}
+
+/* magnitude, or its negative where value is negative. */
+static inline int32_t with_sign_of(int32_t value, uint32_t magnitude)
+{
+    const uint32_t sign = 0u - ((uint32_t)value >> 31);
+    return (int32_t)((magnitude ^ sign) - sign);
 }
 
 static inline uint64_t magnitude64(int64_t value)
@@ -129,6 +184,7 @@ static inline int32_t multiply_high_s32(int32_t a, int32_t b)
  * |a >> 16| <= 2^15 and |b| <= 2^15, so the first is at most 2^30; the second at most 2^15 (2^16 - 1) < 2^31. */
 static inline int32_t multiply_q16(int32_t a, int32_t b_s16)
 {
+    GLINT_TRACE("16-bit factor", b_s16);
     return (a >> 16) * b_s16 + (((int32_t)(a & 0xffff) * b_s16) >> 16);
 }
 
@@ -137,8 +193,10 @@ static inline int32_t multiply_q16(int32_t a, int32_t b_s16)
 static inline int64_t shift_round64(int64_t value, int shift)
 {
     if (shift >= 0) {
+        GLINT_TRACE("shifted left, bits", value ? bit_length64(magnitude64(value)) + shift : 0);
         return (int64_t)((uint64_t)value << shift);
     }
+    GLINT_TRACE("shifted right", value);
     if (shift < -62) {
         return 0;
     }
@@ -149,34 +207,5 @@ static inline int32_t saturate_s32(int64_t value)
 {
     return value > INT32_MAX ? INT32_MAX : value < INT32_MIN ? INT32_MIN : (int32_t)value;
 }
-
-/* Reads constant data that may live in program memory. */
-#if defined(__AVR__)
-static inline uint8_t flash_u8(const uint8_t *address)
-{
-    return pgm_read_byte(address);
-}
-static inline uint16_t flash_u16(const uint16_t *address)
-{
-    return pgm_read_word(address);
-}
-static inline int16_t flash_s16(const int16_t *address)
-{
-    return (int16_t)pgm_read_word(address);
-}
-#else
-static inline uint8_t flash_u8(const uint8_t *address)
-{
-    return *address;
-}
-static inline uint16_t flash_u16(const uint16_t *address)
-{
-    return *address;
-}
-static inline int16_t flash_s16(const int16_t *address)
-{
-    return *address;
-}
-#endif
 
 #endif

@@ -41,19 +41,26 @@ static inline void surface_set_inverse(surface *at, int32_t depth_q30, inverse_s
     const int32_t inverse = depth_q30 - GLINT_DEPTH_BIAS, most = ((int32_t)1 << 30) >> shift;
     at->inverse = (inverse < 0 ? 0 : inverse > most ? most : inverse) << shift;
     at->inverse_fraction = (int16_t)(30 + shift);
+    GLINT_TRACE("inverse distance", at->inverse);
 }
 
-/* Component of a unit normal (Q15) times the corner's weight: within 2^29. */
+/* Component of a unit normal (Q15) times the corner's weight: within 2^29. Rounding may have made it 32769, which the
+ * product would not bear. */
 static inline real normal_weigh(real component_q15, int32_t depth_q30, inverse_scale shift)
 {
+    const int32_t one = 32768, component = component_q15 > one ? one : component_q15 < -one ? -one : component_q15;
     const int32_t weight_q30 = inverse_of(depth_q30, shift);
-    return multiply_q16(weight_q30 > 0 ? weight_q30 : 1, component_q15);
+    GLINT_TRACE("corner weight q30", weight_q30);
+    return multiply_q16(weight_q30 > 0 ? weight_q30 : 1, component);
 }
 
 /* So little is left of an interpolated normal that rounding (2^14, see plane.h) decides its direction. */
 static inline bool normal_vanishes(const real normal[3], const surface *at)
 {
     (void)at; /* the weights of the corners reach 2^29, whatever the distance */
+    GLINT_TRACE("weighted normal", normal[0]);
+    GLINT_TRACE("weighted normal", normal[1]);
+    GLINT_TRACE("weighted normal", normal[2]);
     return (magnitude32(normal[0]) | magnitude32(normal[1]) | magnitude32(normal[2])) < (uint32_t)1 << 14;
 }
 
@@ -65,6 +72,7 @@ static inline real colour_to_attribute(uint16_t q15)
 
 static inline uint16_t attribute_to_colour(real attribute)
 {
+    GLINT_TRACE("colour attribute", attribute);
     const real q15 = (attribute + (1 << 13)) >> 14;
     return (uint16_t)(q15 < 0 ? 0 : q15 > 32768 ? 32768 : q15);
 }
@@ -117,6 +125,7 @@ static inline void surface_set_ray(surface *at, const pixel_rays *rays, int16_t 
 {
     for (int k = 0; k < 3; k++) {
         at->ray[k] = rays->v[0][k] + x * rays->v[1][k] + y * rays->v[2][k];
+        GLINT_TRACE("ray", at->ray[k]);
     }
     at->ray_fraction = rays->fraction;
 }
@@ -125,6 +134,7 @@ static inline void surface_next_ray(surface *at, const pixel_rays *rays)
 {
     for (int k = 0; k < 3; k++) {
         at->ray[k] += rays->v[1][k];
+        GLINT_TRACE("ray", at->ray[k]);
     }
 }
 
@@ -141,6 +151,7 @@ static inline void placement_of(const placement_state *state, const int16_t posi
     for (int i = 0; i < 3; i++) {
         out[i] = multiply_q16(state->rows[i][0], position[0]) + multiply_q16(state->rows[i][1], position[1]) +
                  multiply_q16(state->rows[i][2], position[2]) + state->rows[i][3];
+        GLINT_TRACE("placement", out[i]);
     }
 }
 

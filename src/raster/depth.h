@@ -19,11 +19,13 @@ static inline uint16_t glint_depth_run(uint16_t *row, uint32_t *depth_q30, uint3
     uint32_t value = *depth_q30;
     int16_t i = *x;
     while (i <= x_last && (uint16_t)(value >> GLINT_DEPTH_SHIFT) <= row[i]) {
+        GLINT_TRACE("interpolated depth q30", value);
         value += step;
         i++;
     }
     *x_run = i;
     while (i <= x_last && (uint16_t)(value >> GLINT_DEPTH_SHIFT) > row[i]) {
+        GLINT_TRACE("interpolated depth q30", value);
         row[i] = (uint16_t)(value >> GLINT_DEPTH_SHIFT);
         value += step;
         i++;

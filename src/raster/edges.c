@@ -5,8 +5,10 @@
 
 int64_t glint_signed_area(const glint_point corner[3])
 {
-    return (int64_t)(corner[1].x - corner[0].x) * (corner[2].y - corner[0].y) -
-           (int64_t)(corner[2].x - corner[0].x) * (corner[1].y - corner[0].y);
+    const int64_t area = (int64_t)(corner[1].x - corner[0].x) * (corner[2].y - corner[0].y) -
+                         (int64_t)(corner[2].x - corner[0].x) * (corner[1].y - corner[0].y);
+    GLINT_TRACE("signed area q16", area);
+    return area;
 }
 
 static int32_t least(int32_t a, int32_t b, int32_t c)
@@ -67,6 +69,11 @@ void glint_edges_set_up(glint_edges *edges, const glint_point corner[3], bool cl
         const int32_t offset_y = GLINT_SUBPIXEL / 2 - (from->y & (GLINT_SUBPIXEL - 1));
         const int32_t part =
             (dx * offset_y - dy * offset_x - (left_or_top ? 0 : 1)) >> GLINT_SUBPIXEL_BITS; /* < 2^28 */
+        GLINT_TRACE("edge step", dx);
+        GLINT_TRACE("edge step", dy);
+        GLINT_TRACE("edge part", part);
+        GLINT_TRACE("edge function",
+                    (int64_t)dx * (box.y_first - pixel_y) - (int64_t)dy * (box.x_first - pixel_x) + part);
         edges->step_x[i] = -dy;
         edges->step_y[i] = dx;
         edges->value[i] = (uint32_t)dx * (uint32_t)(box.y_first - pixel_y) -
@@ -89,6 +96,8 @@ void glint_spans_begin(glint_spans *spans, const glint_edges *edges, int16_t y_f
     const uint32_t columns = (uint32_t)(edges->box.x_last - edges->box.x_first);
     for (uint8_t i = 0; i < 3; i++) {
         const uint32_t value = edges->value[i] + rows * (uint32_t)edges->step_y[i];
+        GLINT_TRACE("edge function", (int32_t)edges->value[i] + (int64_t)rows * edges->step_y[i]);
+        GLINT_TRACE("edge function", (int32_t)value + (int64_t)columns * edges->step_x[i]);
         if (edges->step_x[i] > 0) {
             spans->left[lefts] = value;
             spans->left_edge[lefts++] = i;

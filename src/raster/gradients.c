@@ -37,9 +37,12 @@ void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_verte
         const glint_screen_vertex *from = opposite_from(gradients, i), *to = opposite_to(gradients, i);
         dx[i] = to->x - from->x; /* < 2^24 */
         dy[i] = to->y - from->y;
+        GLINT_TRACE("gradient difference q12", dx[i]);
+        GLINT_TRACE("gradient difference q12", dy[i]);
         any |= magnitude32(dx[i]) | magnitude32(dy[i]);
     }
     gradients->area = (int64_t)dx[1] * -dy[0] + (int64_t)dx[0] * dy[1]; /* < 2^48 */
+    GLINT_TRACE("gradient area q24", gradients->area);
     const int area_bits = gradients->area > 0 ? bit_length64((uint64_t)gradients->area) : 0;
     /* |gradient| < 2^excess per pixel */
     const int excess = 32 - clz32(any) + GLINT_FINE_BITS - area_bits + 1;
@@ -63,8 +66,12 @@ void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_verte
     const uint32_t r = glint_reciprocal_q31(a);
     const int shift = gradients->bits + GLINT_FINE_BITS - 30 - area_bits; /* < 0 by the limit on excess */
     for (int i = 0; i < 2; i++) {
-        gradients->x[i] = (int32_t)shift_round64((int64_t)-dy[i] * r, shift);
-        gradients->y[i] = (int32_t)shift_round64((int64_t)dx[i] * r, shift);
+        const int64_t x = shift_round64((int64_t)-dy[i] * r, shift);
+        GLINT_TRACE("gradient", x);
+        gradients->x[i] = (int32_t)x;
+        const int64_t y = shift_round64((int64_t)dx[i] * r, shift);
+        GLINT_TRACE("gradient", y);
+        gradients->y[i] = (int32_t)y;
     }
 }
 
@@ -86,6 +93,7 @@ void glint_gradients_weights(const glint_gradients *gradients, int16_t x, int16_
             /* inside / area = (inside 2^-down) r / 2^62 */
             const uint32_t part = (uint32_t)(down > 0 ? inside >> down : inside << -down);
             weight = (int32_t)(((uint64_t)part * r) >> 32);
+            GLINT_TRACE("sliver weight q30", weight);
             weight = weight > rest ? rest : weight;
         }
         rest -= weight;

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Draws the corpus in the checking build: every built-in scene from many sides, the fuzzer's committed inputs, random
- * extreme scenes. Ends with status 1 where a traced quantity left its documented range, or where the sanitizer spoke.
+ * Draws in the checking build: every built-in scene from many sides, the fuzzer's committed inputs, scenes made for one
+ * quantity each, scenes at random and at the ends of every input's range. Then prints the interval of each quantity
+ * that the library traces beside its documented range. Ends with status 1 where one left that range, where one of the
+ * table was never seen, and where the sources trace one that is not in the table. The sanitizer ends it at once.
  *
- * What it is not: a proof. An interval is what was seen; spare bits are how far that is from the documented limit.
- * Without the GLINT_TRACE hook in the sources, only signed overflow, shifts, float-to-integer conversions and array
- * bounds are checked (by the sanitizer), not the narrowing of int64_t to int32_t by a cast, which is defined.
+ *     check-ranges [seed [scenes]]
+ *
+ * What it is not: a proof. An interval is what was seen; proofs of single bounds are in tests/proofs/.
  */
 #include "tests/fuzz/scene_check.h"
 
@@ -13,148 +15,143 @@
 
 #include "examples/scenes/scenes.h"
 
+#include "tests/fuzz/ranges_hard.h"
+#include "tests/fuzz/ranges_table.h"
 #include "tests/fuzz/trace.h"
 
-traced_range *traced_ranges;
-
-#define SCENES 20000
+#define SEED 7
+#define SCENES 5000 /* of either kind of random scenes */
 #define SIDES 16
 #define MOST_OBJECTS 64
 
-#define TWO(n) ((int64_t)1 << (n))
+/* From the linker: the places of the sources that trace. */
+extern traced_range *__start_glint_traced[], *__stop_glint_traced[];
 
-/* Documented ranges: docs/formats.md, or the comment beside the quantity. Both ends are allowed. */
-static const struct {
-    const char *name;
-    int64_t low, high;
-    const char *where;
-} documented[] = {
-    {"camera basis q30", -TWO(30), TWO(30), "formats.md"},
-    {"model to view q46", -TWO(57), TWO(57), "view.c"},
-    {"origin in view q46", -TWO(62) + 1, TWO(62) - 1, "view.c"},
-    {"transform entry", -TWO(30), TWO(30), "view.h"},
-    {"gram q32", -3 * TWO(52), 3 * TWO(52), "view.c"},
-    {"cofactor q32", -2 * TWO(52), 2 * TWO(52), "view.c"},
-    {"determinant", -TWO(59) + 1, TWO(59) - 1, "view.c"},
-    {"from world q30", -TWO(30) - TWO(17), TWO(30) + TWO(17), "view.c, angles kept within 2^-13"},
-    {"normal row sum", 0, TWO(30) - 1, "view.h"},
-    {"ray at a pixel", -TWO(30) + 1, TWO(30) - 1, "view.h"},
-    {"view x y", -TWO(30) + 1, TWO(30) - 1, "vertex_fixed.h"},
-    {"view z", -TWO(30) + 1, TWO(30) - 1, "vertex_fixed.h"},
-    {"projection product", -TWO(61) + 1, TWO(61) - 1, "vertex_fixed.h"},
-    {"screen from centre q12", -1440 * 4096, 1440 * 4096, "formats.md"},
-    {"inverse depth q30", TWO(20), TWO(30) - TWO(20), "formats.md"},
-    {"clip ratio q30", 0, TWO(30), "vertex_fixed.h"},
-    {"placement", -TWO(30) + 1, TWO(30) - 1, "view.h"},
-    {"edge step", -TWO(20) + 1, TWO(20) - 1, "edges.c"},
-    {"edge part", -TWO(28) + 1, TWO(28) - 1, "edges.c"},
-    {"gradient difference q12", -TWO(24) + 1, TWO(24) - 1, "gradients.c"},
-    {"gradient area q24", -TWO(48) + 1, TWO(48) - 1, "gradients.c"},
-    {"gradient", -TWO(30), TWO(30), "gradients.c, 2^excess with 30 - excess bits"},
-    {"plane difference", -TWO(30), TWO(30), "plane.c"},
-    {"plane sum", -TWO(61), TWO(61), "plane.c"},
-    {"plane step", -TWO(35) + 1, TWO(35) - 1, "plane.c"},
-    {"weighted normal", -TWO(29) - TWO(25), TWO(29) + TWO(25), "plane.h, a sixteenth beyond"},
-    {"interpolated depth q30", 1, TWO(30) - 1, "view.h"},
-    {"surface inverse", -TWO(30), TWO(30) + TWO(17) - 1, "light_fixed.h"},
-    {"light times inverse", -TWO(28), TWO(28), "light_fixed.h"},
-    {"light product q15", 0, 65536, "formats.md"},
-    {"light sum q16", 0, TWO(30) - 1, "formats.md"},
-    {"shaded colour q15", 0, 32768, "formats.md"},
-    {"specular gap q31", 0, TWO(31), "formats.md"},
-    {"unit vector q15", -32768, 32768, "formats.md"},
-    {"unit sum of squares", TWO(28), TWO(32) - 1, "fixed.c"},
-    {"power t q26", 0, TWO(31) - 1, "fixed.c"},
-    {"power a t q14", 0, TWO(31) - 1, "fixed.c"},
-};
-
-/* Binary digits between the documented limit and what was seen, on the side where less is left. */
-static double spare_bits(int64_t low, int64_t high, int64_t least, int64_t greatest)
+/* An end of a range as a power of two, where it is near one, otherwise in full. */
+static void print_end(char text[32], int64_t value)
 {
-    const double above = greatest > 0 ? log2((double)high / (double)greatest) : 64;
-    const double below = least < 0 && low < 0 ? log2((double)low / (double)least) : least < 0 ? -64 : 64;
-    return above < below ? above : below;
+    const char *sign = value < 0 ? "-" : "";
+    const uint64_t size = value < 0 ? 0u - (uint64_t)value : (uint64_t)value;
+    for (int factor = 1; factor <= 3; factor += 2) {
+        for (int n = 14; n < 63; n++) {
+            const int64_t more = (int64_t)(size - ((uint64_t)factor << n));
+            if (more >= -8 && more <= 8) {
+                char part[8] = "";
+                if (more != 0) {
+                    (void)snprintf(part, sizeof part, "%+lld", value < 0 ? -(long long)more : (long long)more);
+                }
+                (void)snprintf(text, 32, "%s%s2^%d%s", sign, factor == 3 ? "3 " : "", n, part);
+                return;
+            }
+        }
+    }
+    (void)snprintf(text, 32, "%lld", (long long)value);
 }
 
-/* Prints the table; returns how many quantities were outside, or never seen though the build traces. */
+/* How many more bits the type has than what was seen takes. */
+static double spare_bits(const documented_range *d, int64_t least, int64_t greatest)
+{
+    const int type_bits = d->bits < 0 ? -d->bits - 1 : d->bits;
+    const double size = fmax(fmax((double)greatest, -(double)least), 1);
+    return d->bits == BITS ? (double)(d->greatest - greatest) : type_bits - log2(size);
+}
+
+static bool fits_type(const documented_range *d)
+{
+    const double end = exp2(d->bits < 0 ? -d->bits - 1 : d->bits);
+    return d->bits == BITS || ((double)d->greatest < end && (double)d->least >= (d->bits < 0 ? -end : 0));
+}
+
+/* Prints the table; returns how many quantities are not as they should be. */
 static unsigned print_table(void)
 {
     unsigned wrong = 0;
-    if (traced_ranges == NULL) {
-        puts(
-            "ranges: the sources have no GLINT_TRACE hook: intervals are not tracked, only the sanitizer's checks ran");
-        return 0;
-    }
-    printf("%-24s %22s %22s  %-22s %5s  %s\n", "quantity", "least seen", "greatest seen", "documented", "spare",
-           "where");
-    for (size_t i = 0; i < sizeof documented / sizeof *documented; i++) {
+    printf("%-24s %20s %20s  %-24s %4s %5s  %s\n", "quantity", "least seen", "greatest seen", "documented", "type",
+           "spare", "where");
+    for (size_t i = 0; i < DOCUMENTED; i++) {
+        const documented_range *d = &documented[i];
         int64_t least = INT64_MAX, greatest = INT64_MIN;
-        const traced_range *r = traced_ranges;
-        for (bool last = false; !last; r = r->next) { /* one entry a translation unit */
-            if (strcmp(r->name, documented[i].name) == 0) {
-                least = r->least < least ? r->least : least;
-                greatest = r->greatest > greatest ? r->greatest : greatest;
+        char low[32], high[32], range[72], type[8];
+        for (traced_range **r = __start_glint_traced; r != __stop_glint_traced; r++) {
+            if (strcmp((*r)->quantity, d->quantity) == 0) {
+                least = (*r)->least < least ? (*r)->least : least;
+                greatest = (*r)->greatest > greatest ? (*r)->greatest : greatest;
             }
-            last = r->next == r;
         }
         if (least > greatest) {
-            printf("%-24s never seen\n", documented[i].name);
+            printf("%-24s NEVER SEEN\n", d->quantity);
             wrong++;
             continue;
         }
-        char limits[64];
-        const bool within = least >= documented[i].low && greatest <= documented[i].high;
-        (void)snprintf(limits, sizeof limits, "%s2^%.1f", documented[i].low < 0 ? "+-" : "",
-                       log2(fmax((double)documented[i].high, -(double)documented[i].low)));
-        printf("%-24s %22lld %22lld  %-22s %5.1f  %s%s\n", documented[i].name, (long long)least, (long long)greatest,
-               limits, spare_bits(documented[i].low, documented[i].high, least, greatest), documented[i].where,
-               within ? "" : "  OUTSIDE");
-        wrong += !within;
+        const bool good = fits_type(d) && least >= d->least && greatest <= d->greatest;
+        print_end(low, d->least);
+        print_end(high, d->greatest);
+        (void)snprintf(range, sizeof range, "%s .. %s", low, high);
+        (void)snprintf(type, sizeof type, d->bits == BITS ? "bits" : "%c%d", d->bits < 0 ? 's' : 'u', abs(d->bits));
+        printf("%-24s %20lld %20lld  %-24s %4s %5.1f  %s%s\n", d->quantity, (long long)least, (long long)greatest,
+               range, type, spare_bits(d, least, greatest), d->where, good ? "" : "  OUTSIDE");
+        wrong += !good;
     }
     return wrong;
 }
 
-static void draw_quietly(const glint_scene *scene, uint16_t width, uint16_t height, uint8_t shading)
+/* Names in the sources that the table does not have. */
+static unsigned print_unknown(void)
 {
-    scene_case c;
-    const drawing how = {.fail_at = NO_BAND, .buffer_count = 1};
-    screen s = {.fail_at = NO_BAND};
-    memset(&c, 0, sizeof c);
-    c.display.width_px = width;
-    c.display.height_px = height;
-    c.display.flush = screen_flush;
-    c.display.context = &s;
-    c.quality.shading = shading;
+    unsigned wrong = 0;
+    for (traced_range **r = __start_glint_traced; r != __stop_glint_traced; r++) {
+        size_t i = 0;
+        while (i < DOCUMENTED && strcmp((*r)->quantity, documented[i].quantity) != 0) {
+            i++;
+        }
+        if (i == DOCUMENTED) {
+            printf("%-24s NOT IN THE TABLE  %s:%d\n", (*r)->quantity, (*r)->file, (*r)->line);
+            wrong++;
+        }
+    }
+    return wrong;
+}
+
+/* Draws with both backends. Returns false where the scene is refused, by both. */
+static bool draw(const glint_scene *scene, const glint_display *like, uint8_t shading)
+{
+    bool drawn = false;
     for (int backend = 0; backend < BACKENDS; backend++) {
-        const size_t bytes_given = backends[backend].memory_bytes(scene, &c.display);
+        glint_display display = *like;
+        const glint_quality quality = {.shading = shading};
+        screen s = {.display = &display, .fail_at = NO_BAND};
+        display.flush = screen_flush;
+        display.context = &s;
+        const size_t bytes_given = backends[backend].memory_bytes(scene, &display);
+        const uint16_t pages = (uint16_t)((display.height_px + 7) & ~7);
         void *memory = malloc(bytes_given);
-        memset(&s, 0, sizeof s);
-        s.display = &c.display;
-        s.fail_at = how.fail_at;
-        s.row_bytes = glint_row_bytes(c.display.format, width);
-        s.pixels = malloc((size_t)s.row_bytes * height);
+        s.row_bytes = glint_row_bytes(display.format, display.width_px);
+        s.pixels = malloc((size_t)s.row_bytes * pages);
         FUZZ_CHECK(memory != NULL && s.pixels != NULL, "out of memory");
-        const int result = backends[backend].render(scene, &c.display, &c.quality, memory, bytes_given, NULL);
-        FUZZ_CHECK(result == 0, "%s", glint_error_text(result));
+        const bool done = backends[backend].render(scene, &display, &quality, memory, bytes_given, NULL) == GLINT_OK;
+        FUZZ_CHECK(backend == 0 || done == drawn, "the backends do not agree on what is valid");
+        drawn = done;
         free(s.pixels);
         free(memory);
     }
+    return drawn;
 }
 
 static unsigned draw_built_in(void)
 {
-    unsigned frames = 0;
+    const glint_display display = {.width_px = 96, .height_px = 72, .format = GLINT_RGB888};
+    unsigned scenes = 0;
     for (uint16_t i = 0; i < demo_scene_count; i++) {
         for (uint16_t side = 0; side < SIDES; side++) {
             glint_object objects[MOST_OBJECTS];
             glint_scene scene;
             FUZZ_CHECK(demo_scenes[i].scene->object_count <= MOST_OBJECTS, "%s", demo_scenes[i].name);
             FUZZ_CHECK(demo_scene_turn(demo_scenes[i].scene, (uint16_t)(side * 4099), objects, &scene) == 0, "turn");
-            draw_quietly(&scene, 96, 72, (uint8_t)(side % 3));
-            frames += BACKENDS;
+            FUZZ_CHECK(draw(&scene, &display, (uint8_t)(side % 3)), "%s refused", demo_scenes[i].name);
+            scenes++;
         }
     }
-    return frames;
+    return scenes;
 }
 
 static unsigned draw_corpus(const char *corpus)
@@ -177,21 +174,64 @@ static unsigned draw_corpus(const char *corpus)
     return inputs;
 }
 
-int main(void)
+static void random_bytes(uint64_t *random, uint8_t data[8])
 {
-    uint64_t random = 7;
-    const unsigned frames = draw_built_in();
-    const unsigned inputs = draw_corpus("tests/fuzz/corpus-scene");
-    for (unsigned i = 0; i < SCENES; i++) {
+    for (int k = 0; k < 8; k++) {
+        data[k] = (uint8_t)random_u24(random);
+    }
+}
+
+/* Returns how many were not refused. */
+static unsigned draw_extreme(uint64_t *random, unsigned scenes)
+{
+    static extreme_scene e;
+    unsigned drawn = 0;
+    for (unsigned i = 0; i < scenes; i++) {
         uint8_t data[8];
-        for (size_t k = 0; k < sizeof data; k++) {
-            data[k] = (uint8_t)random_u24(&random);
+        random_bytes(random, data);
+        bytes b = bytes_from(data, sizeof data);
+        take_extreme_scene(&b, &e);
+        drawn += draw(&e.scene, &e.display, e.shading);
+    }
+    return drawn;
+}
+
+/* Scenes made for one quantity each: all of them are valid. Returns their number. */
+static unsigned draw_hard(uint64_t *random, unsigned scenes)
+{
+    static extreme_scene e;
+    unsigned drawn = 0;
+    for (unsigned i = 0; i < HARD_KINDS * scenes; i++) {
+        uint8_t data[8];
+        random_bytes(random, data);
+        bytes b = bytes_from(data, sizeof data);
+        if (hard_scene(&b, &e, i % HARD_KINDS, (int)(i / HARD_KINDS))) {
+            FUZZ_CHECK(draw(&e.scene, &e.display, e.shading), "hard scene %u", i);
+            drawn++;
         }
+    }
+    return drawn;
+}
+
+int main(int count, char **arguments)
+{
+    const uint64_t seed = count > 1 ? strtoull(arguments[1], NULL, 10) : SEED;
+    const unsigned scenes = count > 2 ? (unsigned)strtoul(arguments[2], NULL, 10) : SCENES;
+    uint64_t random = seed;
+    printf("ranges: seed %llu, %u random scenes of each kind\n", (unsigned long long)seed, scenes);
+    (void)fflush(stdout); /* before a sanitizer may end it */
+    const unsigned built_in = draw_built_in();
+    const unsigned inputs = draw_corpus("tests/fuzz/corpus-scene");
+    unsigned extreme = draw_hard(&random, scenes);
+    extreme += draw_extreme(&random, scenes);
+    for (unsigned i = 0; i < scenes; i++) {
+        uint8_t data[8];
+        random_bytes(&random, data);
         check_scene_bytes(data, sizeof data);
     }
-    const unsigned wrong = print_table();
-    printf("ranges: %u frames of built-in scenes, %u inputs of the fuzzer, %u random scenes, both backends: no signed "
-           "overflow, no bad shift, no float out of range, no index out of bounds; %u quantities outside their range\n",
-           frames, inputs, (unsigned)SCENES, wrong);
+    const unsigned wrong = print_table() + print_unknown();
+    printf("ranges: %u frames of built-in scenes, %u inputs of the fuzzer, %u random scenes, %u at the ends of what is "
+           "valid; both backends: no overflow; of %u quantities %u not as documented\n",
+           built_in, inputs, scenes, extreme, (unsigned)DOCUMENTED, wrong);
     return wrong ? 1 : 0;
 }

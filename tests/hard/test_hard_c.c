@@ -4,9 +4,9 @@
  *
  * Budgets:
  */
-#define POWER_ERROR 0.0002               /* of 1, fixed: what number/fixed.h states; 0.05 code */
-#define HALF_VECTOR 0.1                  /* C2: of |s + c|; shorter ones are C8's */
-#define FLOAT_POWER_ERROR 2e-6           /* of 1, float: what number/real.h states */
+#define POWER_ERROR (GLINT_SMALL_TABLES ? 0.00034 : 0.00016) /* of 1, fixed: what number/fixed.h states */
+#define HALF_VECTOR 0.1                                      /* C2: of |s + c|; shorter ones are C8's */
+#define FLOAT_POWER_ERROR 2e-7                               /* of 1, float: what number/real.h states */
 #define LAST_STEP (1.0 / 32768)          /* C11: the last value of the power before 0, fixed: an ulp of Q15 */
 #define LAST_FLOAT_STEP (1.0 / 16777216) /* the same in float at exponent 1: the ulp of the gap below 1 */
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# inverse_root_q16, first Newton step, on one cell of its table: S = s / 2^30 in [LOW, HIGH], SEED the cell's entry.
-# Bounds y sqrt(S) - 1, the relative error of y against 1 / sqrt(S), before y is clamped.
+# inverse_root_q16 of the small tables, first Newton step, on one cell: S = s / 2^30 in [LOW, HIGH], SEED the cell's
+# entry. Bounds y sqrt(S) - 1, the relative error of y against 1 / sqrt(S), before y is clamped.
 #
 # S is written as q * q with q any real number, which includes every input; then the identity of the step is one of
 # polynomials: with d = y q - 1, the exact step gives -d^2 (3 + d) / 2.

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
-# inverse_root_q16, second Newton step, on one cell: S = q * q in [LOW, HIGH], y a Q16 number whose relative error
-# y q - 1 lies in [ERROR_LOW, ERROR_HIGH], as the first step left it after the clamp. Bounds the relative error of the
-# result before the last clamp, which takes 1 and what lies above it to 1 - 2^-16: since 1 / sqrt(S) <= 1 the error then
-# lies between -2^-16 and what is proved here.
+# inverse_root_q16 of the small tables, second Newton step, on one cell: S = q * q in [LOW, HIGH], y a Q16 number whose
+# relative error y q - 1 lies in [ERROR_LOW, ERROR_HIGH], as the first step left it after the clamp. Bounds the relative
+# error of the result before the last clamp, which takes 1 and what lies above it to 1 - 2^-16: since 1 / sqrt(S) <= 1
+# the error then lies between -2^-16 and what is proved here.
 
 @q30 = fixed<-30, dn>;
 @q22 = fixed<-22, dn>;

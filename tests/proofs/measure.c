@@ -4,10 +4,11 @@
  * affordable, over adversarial ones elsewhere; and the hypotheses of the proofs, found over every entry of a table.
  *
  * Usage: measure reciprocal-cells | root-cells | power-cells    one proof a line: NAME=value of each parameter
- *        measure bounds                                         routine, worst, what was tried
+ *        measure table-bounds | bounds                          routine, worst, what was tried
  *
- * Sources are included as text, since some of the routines are local to them. Oracles: integers where the error can be
- * told exactly, else long double.
+ * Compiled twice, the second time with GLINT_SMALL_TABLES: root-cells, power-cells and table-bounds are about what
+ * depends on that. Sources are included as text, since some of the routines are local to them, and the tables follow
+ * the choice. Oracles: integers where the error can be told exactly, else long double.
  */
 #include <math.h>
 #include <stdio.h>
@@ -16,6 +17,7 @@
 #include "display/pack.c"
 #include "lighting/light_fixed.h"
 #include "number/fixed.c"
+#include "number/tables.c"
 #include "raster/edges.c"
 
 static uint64_t random_state = 20240607;
@@ -29,10 +31,17 @@ static uint32_t random_u32(void)
     return (uint32_t)((random_state * 2685821657736338717u) >> 32);
 }
 
+static double random_within(double low, double high)
+{
+    return low + (high - low) * random_u32() / 4294967296.0;
+}
+
 static double larger(double a, double b)
 {
     return b > a ? b : a;
 }
+
+#include "tests/proofs/measure_unit.h"
 
 /* ------------------------------------------------------------------------------------------- parameters of the proofs
  */
@@ -45,11 +54,23 @@ static void reciprocal_cells(void)
     }
 }
 
-/* S from `low` to `high`, within one cell of the table; the roots rounded outwards. */
+/* A square root in decimal, rounded down or up. */
+static double root_below(double x)
+{
+    return floor(sqrt(x) * 1e12) / 1e12;
+}
+
+static double root_above(double x)
+{
+    return ceil(sqrt(x) * 1e12) / 1e12;
+}
+
+#if GLINT_SMALL_TABLES
+
 static void root_cell(double low, double high, int cell)
 {
-    printf("ROOT_LOW=%.12f ROOT_HIGH=%.12f LOW=%.12f HIGH=%.12f SEED=%db-16\n", floor(sqrt(low) * 1e12) / 1e12,
-           ceil(sqrt(high) * 1e12) / 1e12, low, high, glint_root_seed_q16[cell]);
+    printf("ROOT_LOW=%.12f ROOT_HIGH=%.12f LOW=%.12f HIGH=%.12f SEED=%db-16\n", root_below(low), root_above(high), low,
+           high, glint_root_seed_q16[cell]);
 }
 
 /* The bounds are all whole multiples of 2^-12 and so exact in decimal. Where 1/sqrt(S) rounds to 1 is a part by itself.
@@ -67,13 +88,28 @@ static void root_cells(void)
     }
 }
 
+#else
+
+/* The last cell takes more pieces: only where the fraction nears 1, does what is subtracted stay a whole unit below. */
+static void root_cells(void)
+{
+    for (int cell = 0; cell < 192; cell++) {
+        const double low = 1 + cell / 64.0, high = low + 1 / 64.0;
+        printf("QA_LOW=%.12f QA_HIGH=%.12f QB_LOW=%.12f QB_HIGH=%.12f LEFT=%db-16 RIGHT=%db-16 PIECES=%d\n",
+               root_below(low), root_above(low), root_below(high), root_above(high), glint_root_q16[cell],
+               glint_root_q16[cell + 1], cell == 191 ? 256 : 16);
+    }
+}
+
+#endif
+
 /* The interpolated slope against -log2(1 - y) / y, which rises with y: both ends of each run of y that it is used for.
  */
 static void slope_errors(double *low, double *high)
 {
     *low = *high = 0;
     for (uint32_t index = 0; index < 1 << 15; index++) {
-        const long double slope = interpolate(glint_log_slope_q14, index, 10) / 16384.0L;
+        const long double slope = interpolate(glint_log_slope_q14, index, LOG_BITS) / 16384.0L;
         for (uint32_t end = 0; end < 2; end++) {
             const long double y = (long double)(index + end) / 65536;
             const long double exact = y > 0 ? -log1pl(-y) / logl(2) / y : 1 / logl(2);
@@ -83,18 +119,19 @@ static void slope_errors(double *low, double *high)
     }
 }
 
-/* One proof a quarter of each octave of the result. Widened by far more than the oracle's rounding. */
+/* One proof a quarter of each octave of the result. Widened by far more than the oracle's rounding. |computed z - exact
+ * z| is at most delta, which the proof shows. */
 static void power_cells(void)
 {
-    const double wider = 1e-12, delta = 1.0 / 512; /* |computed z - exact z| at most, which the proof shows */
+    const double wider = 1e-12, delta = GLINT_SMALL_TABLES ? 1.0 / 128 : 1.0 / 512;
     double slope_low, slope_high;
     slope_errors(&slope_low, &slope_high);
     for (int cell = 0; cell < 17 * 4; cell++) {
         const int whole = cell / 4, quarter = cell % 4;
         double x_low = 1, x_high = -1;
         for (uint32_t at = (uint32_t)quarter << 12; at < (uint32_t)(quarter + 1) << 12; at++) {
-            const double error =
-                (double)(interpolate(glint_exp_fraction_q15, at, 9) / 32768.0L - exp2l(-(long double)at / 16384));
+            const double error = (double)(interpolate(glint_exp_fraction_q15, at, EXP_BITS) / 32768.0L -
+                                          exp2l(-(long double)at / 16384));
             x_low = fmin(x_low, error);
             x_high = fmax(x_high, error);
         }
@@ -102,9 +139,10 @@ static void power_cells(void)
         const double peak = 1 / log(2); /* of z 2^-z */
         const double zg = z_low > peak ? z_low * exp2(-z_low) : z_high < peak ? z_high * exp2(-z_high) : 0.5308;
         printf("WEIGHT=1b-%d SLOPE_LOW=%.15f SLOPE_HIGH=%.15f X_ERROR_LOW=%.15f X_ERROR_HIGH=%.15f "
-               "G_LOW=%.15f G_HIGH=%.15f ZG_HIGH=%.15f Z_HIGH=%.15f\n",
+               "G_LOW=%.15f G_HIGH=%.15f ZG_HIGH=%.15f Z_HIGH=%.15f DELTA=%.15f C_LOW=%.15f C_HIGH=%.15f\n",
                whole, slope_low - wider, slope_high + wider, x_low - wider, x_high + wider, exp2(-z_high) - wider,
-               exp2(-z_low) + wider, zg + wider, z_high);
+               exp2(-z_low) + wider, zg + wider, z_high, delta, (1 - exp2(-delta)) / delta - wider,
+               (exp2(delta) - 1) / delta + wider);
     }
 }
 
@@ -136,40 +174,6 @@ static double worst_inverse_root(void)
     } while (++s);
     return (double)fmaxl(sqrtl(ldexpl((long double)greatest_square, -62)) - 1,
                          1 - sqrtl(ldexpl((long double)least_square, -62)));
-}
-
-static double unit_error(const int32_t v[3])
-{
-    int32_t unit_q15[3];
-    double worst = 0;
-    (void)glint_unit_q15(v, unit_q15);
-    const double length = sqrt((double)v[0] * v[0] + (double)v[1] * v[1] + (double)v[2] * v[2]); /* to 2^-52 */
-    for (int k = 0; k < 3; k++) {
-        worst = larger(worst, fabs(unit_q15[k] - 32768.0 * v[k] / length));
-    }
-    return worst;
-}
-
-/*
- * Vectors whose components all lie nearly half a unit off what they are rounded to, in the direction that adds up:
- * 16-bit components `w` about where the proof has its maximum, a quarter of the trials all over.
- */
-static double worst_unit(void)
-{
-    const int32_t found[3] = {467353599, 263831552, 1073790976}; /* the worst of 4 10^8 trials */
-    double worst = unit_error(found);
-    for (long trial = 0; trial < 100000000; trial++) {
-        const uint32_t wild = (trial & 3) == 0 ? 0x7fff : 0x7ff;
-        const int32_t w[3] = {(int32_t)(wild == 0x7fff ? random_u32() & wild : 11000 + (random_u32() & 0x1fff)),
-                              (int32_t)(random_u32() & 0x3fff), (int32_t)(32768 + (random_u32() & (wild >> 1)))};
-        const int32_t sign = random_u32() & 1 ? 1 : -1;
-        const int64_t u[3] = {(int64_t)w[0] * 65536 - sign * 32767, (int64_t)w[1] * 65536 + sign * 32767,
-                              (int64_t)w[2] * 65536 + sign * 32767};
-        /* halved, to fit int32_t; the routine shifts it back */
-        const int32_t v[3] = {(int32_t)(u[0] / 2), (int32_t)(u[1] / 2), (int32_t)(u[2] / 2)};
-        worst = larger(worst, unit_error(v));
-    }
-    return worst;
 }
 
 static double worst_power(void)
@@ -406,12 +410,17 @@ static void report(const char *routine, double worst, const char *tried)
     (void)fflush(stdout);
 }
 
+static void table_bounds(void)
+{
+    report("inverse_root", worst_inverse_root(), "all 3 2^30 inputs");
+    report("unit_q15", worst_unit_q15(), "4 10^7 adversarial vectors and the worst found earlier");
+    report("unit_q28", worst_unit_q28(), "2 10^7 adversarial vectors");
+    report("power", worst_power(), "1.5 10^8 inputs, half of them with results above 1/2");
+}
+
 static void bounds(void)
 {
     report("reciprocal", worst_reciprocal(), "all 2^31 inputs");
-    report("inverse_root", worst_inverse_root(), "all 3 2^30 inputs");
-    report("unit", worst_unit(), "10^8 adversarial vectors and the worst found earlier");
-    report("power", worst_power(), "1.5 10^8 inputs, half of them with results above 1/2");
     report("level_nearest", worst_level(false), "all inputs");
     report("level_dithered", worst_level(true), "all inputs");
     report("luma", worst_luma(), "10^7 inputs");
@@ -433,6 +442,7 @@ int main(int count, char **argument)
     } part[] = {{"reciprocal-cells", reciprocal_cells},
                 {"root-cells", root_cells},
                 {"power-cells", power_cells},
+                {"table-bounds", table_bounds},
                 {"bounds", bounds}};
     for (size_t i = 0; count == 2 && i < sizeof part / sizeof *part; i++) {
         if (strcmp(argument[1], part[i].name) == 0) {
@@ -440,6 +450,6 @@ int main(int count, char **argument)
             return ferror(stdout) || fflush(stdout) ? 1 : 0;
         }
     }
-    (void)fprintf(stderr, "usage: measure reciprocal-cells | root-cells | power-cells | bounds\n");
+    (void)fprintf(stderr, "usage: measure reciprocal-cells | root-cells | power-cells | table-bounds | bounds\n");
     return 2;
 }

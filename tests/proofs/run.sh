@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Runs every proof and every measurement and prints them side by side: tests/proofs/run.sh MEASURE OUT
+# Runs every proof and every measurement and prints them side by side: tests/proofs/run.sh MEASURE MEASURE_SMALL OUT
 # Set LONG=1 for the slower proof too.
 #
-# MEASURE is the program built from measure.c, OUT a folder for what the provers printed. Ends with status 1 if a proof
-# fails, or if a proved or a measured bound exceeds the one that the source states. docs/proofs.md explains the rows.
+# MEASURE is the program built from measure.c, MEASURE_SMALL the same with GLINT_SMALL_TABLES, OUT a folder for what the
+# provers printed. Ends with status 1 if a proof fails, or if a proved or a measured bound exceeds the one that the
+# source states. docs/proofs.md explains the rows.
 set -euo pipefail
 
 measure=$1
-out=$2
+measure_small=$2
+out=$3
 here=$(dirname "$0")
 rm -rf "$out"
 mkdir -p "$out"
@@ -98,77 +100,133 @@ solve() {
     printf '%-50s %9s %9s  %s\n' "$routine" "$verdict" "$mistakes" "$tried"
 }
 
-"$measure" bounds >"$out/measured"
+# from_measure PROGRAM PART PREFIX: what it printed, each key with a prefix for the choice of tables.
+from_measure() {
+    "$1" "$2" | sed "s/^/$3/" >>"$out/measured"
+}
+from_measure "$measure" bounds ''
+from_measure "$measure" table-bounds large_
+from_measure "$measure_small" table-bounds small_
 
 "$measure" reciprocal-cells >"$out/cells"
 while read -r -a cell; do
     prove reciprocal.g reciprocal "${cell[@]}"
 done <"$out/cells"
 
-# Parameters of unit.g for a root's error and a range of sqrt(S): the vector's length is that, or half of it; widened by
-# what the components' rounding can do to it.
-unit_cases() {
-    awk -v low="$1" -v high="$2" -v root="$3" '
-        function put(own, others, largest,   m, b) {
-            m = largest / r_high; if (m > 1) { m = 1 }
-            even = 2 * m * m <= 1 && own == 1
-            b = even || own == 2 ? 0 : sqrt(1 - m * m) + 1e-9
-            printf "ROOT=%.12f OWN=%d OTHERS=%d R_LOW=%.12f R_HIGH=%.12f M=%.12f A_LOW=%.12f A_HIGH=1 B_LOW=0 B_HIGH=%.12f\n",
-                root, own, others, r_low, r_high, m - 1e-12, even ? 0 : m - 1e-12, b
-        }
-        BEGIN {
-            for (half = 2; half >= 1; half--) {
-                r_low = low / half - 2 ^ -15; r_high = high / half + 2 ^ -15
-                if (r_low > sqrt(3)) { continue }
-                put(1, 1, 0.5 - 2 ^ -16)
-                if (r_high >= 1 - 2 ^ -15) { put(2, 1, 1 - 2 ^ -15); put(1, 2, 1 - 2 ^ -15) }
-            }
-        }'
+# Each of the next two appends to $out/roots, for each part of the range: least and greatest sqrt(S), and between which
+# errors the relative error of inverse_root_q16 lies there.
+
+root_proofs_large() {
+    local cell
+    while read -r -a cell; do
+        : >"$out/part"
+        prove inverse_root_table.g part "${cell[@]}"
+        cat "$out/part" >>"$out/large_root"
+        echo "${cell[0]#*=} ${cell[3]#*=} $(limits part 'Y * q - 1')" >>"$out/large_roots"
+    done < <("$measure" root-cells)
 }
 
-"$measure" root-cells >"$out/cells"
-while read -r -a cell; do
-    : >"$out/first"
-    : >"$out/second"
-    prove inverse_root_first.g first "${cell[@]}"
-    # the clamp of y to 1 - 2^-16 can only bring a result that is too large nearer, and no lower than -2^-16
-    read -r error_low error_high < <(limits first 'Y * q - 1')
-    error_low=$(awk -v low="$error_low" 'BEGIN { printf "%.15f", (low < -2 ^ -16 ? low : -2 ^ -16) - 1e-15 }')
-    error_high=$(awk -v high="$error_high" 'BEGIN { printf "%.15f", high + 1e-15 }')
-    prove inverse_root_second.g second "${cell[@]}" "ERROR_LOW=$error_low" "ERROR_HIGH=$error_high"
-    cat "$out/second" >>"$out/inverse_root"
-    read -r error_low error_high < <(limits second 'Y * q - 1')
-    root_low=${cell[0]#*=} root_high=${cell[1]#*=}
-    # as above, for the last clamp; and 0.0003 ulp of Q15 for what the sum of squares loses and for the way from v to w
-    read -r clamped root < <(awk -v low="$error_low" -v high="$error_high" -v q="$root_low" 'BEGIN {
-        clamped = (1 + high) / q >= 1
-        if (clamped && low > -2 ^ -16) { low = -2 ^ -16 }
-        printf "%d %.12f\n", clamped, (-low > high ? -low : high) * 32768 + 0.0003 }')
-    if [ "$clamped" = 1 ]; then
-        echo "  Y * q - 1 in [-1b-16, 0]" >>"$out/inverse_root"
-    fi
-    unit_cases "$root_low" "$root_high" "$root" >"$out/unit-cells"
-    while read -r -a case; do
-        prove unit.g unit "${case[@]}"
-    done <"$out/unit-cells"
-done <"$out/cells"
-unit_bound=$(printf '%s\n%s\n' "$(larger unit even)" "$(larger unit uneven)" | sort -g | tail -n 1 |
-    awk '{ printf "%.17g\n", $1 + 0.5 }')
+root_proofs_small() {
+    local cell low high
+    while read -r -a cell; do
+        : >"$out/first"
+        : >"$out/second"
+        prove inverse_root_first.g first "${cell[@]}"
+        # the clamp of y to 1 - 2^-16 can only bring a result that is too large nearer, and no lower than -2^-16
+        read -r low high < <(limits first 'Y * q - 1')
+        low=$(awk -v low="$low" 'BEGIN { printf "%.15f", (low < -2 ^ -16 ? low : -2 ^ -16) - 1e-15 }')
+        high=$(awk -v high="$high" 'BEGIN { printf "%.15f", high + 1e-15 }')
+        prove inverse_root_second.g second "${cell[@]}" "ERROR_LOW=$low" "ERROR_HIGH=$high"
+        cat "$out/second" >>"$out/small_root"
+        # as above, for the last clamp
+        read -r low high < <(limits second 'Y * q - 1')
+        if awk -v high="$high" -v q="${cell[0]#*=}" 'BEGIN { exit (1 + high) / q < 1 }'; then
+            echo "  Y * q - 1 in [-1b-16, 0]" >>"$out/small_root"
+            low=$(awk -v low="$low" 'BEGIN { printf "%.17g", low < -2 ^ -16 ? low : -2 ^ -16 }')
+        fi
+        echo "${cell[0]#*=} ${cell[1]#*=} $low $high" >>"$out/small_roots"
+    done < <("$measure_small" root-cells)
+}
 
-"$measure" power-cells >"$out/cells"
-while read -r -a cell; do
-    prove power.g power "${cell[@]}"
-done <"$out/cells"
+# Parameters of unit.g, from each part of the range of S and the error of the root there, in ulp of Q15. The vector's
+# length in units of 2^32 after the shift is sqrt(S) or half of it; widened by what standing for one's half can do to it.
+# The root's error sets the worst apart, which take more pieces.
+unit_cases() {
+    awk '{
+        root = (-$3 > $4 ? -$3 : $4) * 32768
+        for (half = 2; half >= 1; half--) {
+            least = $1 / half - 2 ^ -15; m = 0.5 / ($2 / half + 2 ^ -15)
+            if (least > sqrt(3)) { continue }
+            if (m > 1) { m = 1 }
+            share = sprintf("ROOT=%.12f R_LOW=%.12f R_HIGH=%.12f M=%.12f", root, least, 0.5 / m, m - 1e-12)
+            if (2 * m * m <= 1) {
+                pieces = root > 0.95 && half == 2 ? 400 : 100
+                printf "%s CASE=even A_LOW=0 A_HIGH=1 PIECES=%d\n", share, pieces
+            } else {
+                printf "%s CASE=even A_LOW=%.12f A_HIGH=1 PIECES=40\n", share, m - 1e-12
+                printf "%s CASE=uneven A_LOW=0 A_HIGH=%.12f PIECES=160\n", share, sqrt(1 - m * m) + 1e-12
+            }
+        }
+    }' "$out/$1"
+}
+
+# Parameters of unit_q28.g: S in steps, with the greatest errors of the root over all.
+unit_q28_cases() {
+    awk 'NR == 1 || $3 < low { low = $3 } NR == 1 || $4 > high { high = $4 }
+        END {
+            for (i = 0; i < 48; i++) {
+                s = 1 + i / 16; t = s + 1 / 16
+                printf "ROOT_LOW=%.12f ROOT_HIGH=%.12f LOW=%.4f HIGH=%.4f ERROR_LOW=%.12f ERROR_HIGH=%.12f\n",
+                    sqrt(s) - 1e-12, sqrt(t) + 1e-12, s, t, low - 1e-12, high + 1e-12
+            }
+        }' "$out/$1"
+}
+
+# The proofs of what depends on the choice of tables, `large` or `small`.
+for tables in large small; do
+    "root_proofs_$tables"
+    while read -r -a case; do
+        prove unit.g "${tables}_unit" "${case[@]}"
+    done < <(unit_cases "${tables}_roots")
+    while read -r -a case; do
+        prove unit_q28.g "${tables}_unit_q28" "${case[@]}"
+    done < <(unit_q28_cases "${tables}_roots")
+    program=$measure
+    [ $tables = large ] || program=$measure_small
+    while read -r -a cell; do
+        prove power.g "${tables}_power" "${cell[@]}"
+    done < <("$program" power-cells)
+done
+
+# What unit.g leaves out, in ulp of Q15: rounding of the result, 1/2, and less than 0.0002 for the bits that the sum of
+# squares loses, for the half that is added (2^-17), and for the direction that the root's error is taken along.
+unit_bound() {
+    { larger "$1_unit" even && larger "$1_unit" uneven; } | sort -g | tail -n 1 |
+        awk '{ printf "%.17g\n", $1 + 0.5 + 0.0002 }'
+}
+
+# The same in ulp of Q28 for unit_q28.g: the rounding, and 10^-6 for products of two errors.
+unit_q28_bound() {
+    larger "$1_unit_q28" unit_q28 | awk '{ printf "%.17g\n", $1 + 0.5 + 1e-6 }'
+}
 
 prove display_light.g display_light
 
 printf '%-30s %-10s %9s %9s %9s %6s  %s\n' routine unit stated proved measured ratio 'measured over'
 row glint_reciprocal_q31 relative "$(stated src/number/fixed.h 'Result in \[2^30, 2^31 - 1\]. Relative error at most')" \
     "$(larger reciprocal '1 - X * R2')" reciprocal
-row inverse_root_q16 relative "$(stated src/number/fixed.c 'Relative error at most')" \
-    "$(larger inverse_root 'Y * q - 1')" inverse_root
-row glint_unit_q15 'ulp Q15' "$(stated src/number/fixed.h 'Error of a component at most')" "$unit_bound" unit
-row glint_power_q15 absolute "$(stated src/number/fixed.h 'any 16-bit value. Error at most')" "$(larger power power)" power
+# table_rows TABLES SUFFIX ROOT UNIT UNIT_Q28 POWER: the words before the bounds that the source states.
+table_rows() {
+    row "inverse_root_q16$2" relative "$(stated src/number/fixed.c "$3")" "$(larger "$1_root" 'Y * q - 1')" "$1_inverse_root"
+    row "glint_unit_q15$2" 'ulp Q15' "$(stated src/number/fixed.h "$4")" "$(unit_bound "$1")" "$1_unit_q15"
+    row "glint_unit_q28$2" 'ulp Q28' "$(stated src/number/fixed.h "$5")" "$(unit_q28_bound "$1")" "$1_unit_q28"
+    row "glint_power_q15$2" absolute "$(stated src/number/fixed.h "$6")" "$(larger "$1_power" power)" "$1_power"
+}
+table_rows large '' 'within one of 192 cells. Relative error at most' 'Error of a component at most' 'in Q28 with an error of at most' \
+    'Error at most'
+table_rows small ', small tables' 'and two Newton steps. Relative error at most' \
+    'Error of a component with GLINT_SMALL_TABLES at most' 'in Q28 with an error of at most' \
+    'for any exponent; with GLINT_SMALL_TABLES at most'
 row 'level, no dither' codes 0.5 "$(larger display_light level_nearest)" level_nearest
 row 'level, dithered' codes 1 "$(larger display_light level_dithered)" level_dithered
 row luma_q15 'ulp Q15' 0.5 "$(larger display_light luma)" luma

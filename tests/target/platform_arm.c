@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Cortex-M under an emulator: text and end by semihosting, SysTick as the counter.
+ * Cortex-M under an emulator: text and end by semihosting, SysTick as the counter. With PLATFORM_MPS2 defined the
+ * counter is timer 0 of the MPS2 boards instead (Cortex-M System Design Kit, APB timer): it has 32 bits, so that whole
+ * frames of a software floating-point unit fit.
  *
  * Semihosting for AArch32 and AArch64, release 3.0: BKPT 0xAB, operation in r0, argument in r1. SysTick: Armv7-M
  * Architecture Reference Manual, B3.3 (Armv6-M has the same). Start-up code is startup/cortex_m_startup.c.
@@ -13,10 +15,19 @@
 #define SYS_EXIT 0x18
 #define APPLICATION_EXIT 0x20026u
 
-#define SYSTICK_CONTROL (*(volatile uint32_t *)0xE000E010U)
-#define SYSTICK_RELOAD (*(volatile uint32_t *)0xE000E014U)
-#define SYSTICK_VALUE (*(volatile uint32_t *)0xE000E018U)
-#define SYSTICK_BITS 0xffffffU
+#if defined(PLATFORM_MPS2)
+#define COUNTER_CONTROL (*(volatile uint32_t *)0x40000000U)
+#define COUNTER_VALUE (*(volatile uint32_t *)0x40000004U)
+#define COUNTER_RELOAD (*(volatile uint32_t *)0x40000008U)
+#define COUNTER_BITS 0xffffffffU
+#define COUNTER_ON 1 /* no interrupt */
+#else
+#define COUNTER_CONTROL (*(volatile uint32_t *)0xE000E010U)
+#define COUNTER_RELOAD (*(volatile uint32_t *)0xE000E014U)
+#define COUNTER_VALUE (*(volatile uint32_t *)0xE000E018U)
+#define COUNTER_BITS 0xffffffU
+#define COUNTER_ON 5 /* the processor's clock, no interrupt */
+#endif
 
 /* From cortex_m.ld. */
 extern uint8_t link_bss_end[], link_stack_top[];
@@ -36,10 +47,10 @@ static void semihosting(uint32_t operation, uintptr_t argument)
 
 void platform_begin(void)
 {
-    SYSTICK_RELOAD = SYSTICK_BITS;
-    SYSTICK_VALUE = 0;
-    SYSTICK_CONTROL = 5; /* the processor's clock, no interrupt, on */
-    last_value = SYSTICK_VALUE;
+    COUNTER_RELOAD = COUNTER_BITS;
+    COUNTER_VALUE = 0;
+    COUNTER_CONTROL = COUNTER_ON;
+    last_value = COUNTER_VALUE;
 }
 
 void platform_write(const char *text)
@@ -52,11 +63,11 @@ void platform_end(void)
     semihosting(SYS_EXIT, APPLICATION_EXIT);
 }
 
-/* SysTick counts down in 24 bits. */
+/* Either counts down. */
 uint32_t platform_count(void)
 {
-    const uint32_t value = SYSTICK_VALUE;
-    counted += (last_value - value) & SYSTICK_BITS;
+    const uint32_t value = COUNTER_VALUE;
+    counted += (last_value - value) & COUNTER_BITS;
     last_value = value;
     return counted;
 }

@@ -64,6 +64,20 @@ static uint64_t leading_zeros(uint64_t hash, uint16_t i)
     return hash_bytes(hash, (uint64_t)(clz32(input32(i)) + 64 * bit_length64(wide)), 2);
 }
 
+/* The search in C, which some of the targets take for clz32(): the same number of bits as above. */
+static uint64_t leading_zeros_search(uint64_t hash, uint16_t i)
+{
+    const uint64_t wide = input64(i);
+    return hash_bytes(hash, (uint64_t)(clz32_search(input32(i)) + 64 * bit_length64(wide)), 2);
+}
+
+static uint64_t signs(uint64_t hash, uint16_t i)
+{
+    const int32_t value = (int32_t)input32(i);
+    hash = hash_bytes(hash, magnitude32(value), 4);
+    return hash_bytes(hash, (uint32_t)with_sign_of(value, random32() >> 1), 4);
+}
+
 static uint64_t high_u32(uint64_t hash, uint16_t i)
 {
     const uint32_t a = input32(i), b = random32();
@@ -108,18 +122,28 @@ static uint64_t reciprocal(uint64_t hash, uint16_t i)
     return hash_bytes(hash, glint_reciprocal_q31(input32(i) | (uint32_t)1 << 31), 4);
 }
 
-static uint64_t unit_q15(uint64_t hash, uint16_t i)
+static uint64_t unit_of(bool (*make_unit)(const int32_t v[3], int32_t unit[3]), uint64_t hash, uint16_t i)
 {
     int32_t v[3], unit[3] = {0, 0, 0};
     const uint32_t scale = random32() & 31;
     v[0] = (int32_t)input32(i);
     v[1] = (int32_t)random32() >> scale;
     v[2] = i & 2 ? (int32_t)random32() >> scale : (i & 1 ? INT32_MIN : 0);
-    hash = hash_bytes(hash, glint_unit_q15(v, unit), 1);
+    hash = hash_bytes(hash, make_unit(v, unit), 1);
     for (int k = 0; k < 3; k++) {
         hash = hash_bytes(hash, (uint32_t)unit[k], 4);
     }
     return hash;
+}
+
+static uint64_t unit_q15(uint64_t hash, uint16_t i)
+{
+    return unit_of(glint_unit_q15, hash, i);
+}
+
+static uint64_t unit_q28(uint64_t hash, uint16_t i)
+{
+    return unit_of(glint_unit_q28, hash, i);
 }
 
 static uint64_t power(uint64_t hash, uint16_t i)
@@ -205,6 +229,8 @@ static void real_numbers(void)
 void selftest_numbers(void)
 {
     run("leading-zeros", leading_zeros, INPUTS);
+    run("leading-zeros-search", leading_zeros_search, INPUTS);
+    run("signs", signs, INPUTS);
     run("multiply-high-u32", high_u32, INPUTS);
     run("multiply-high-narrow-u32", high_narrow_u32, INPUTS);
     run("multiply-high-s32", high_s32, INPUTS);
@@ -213,6 +239,7 @@ void selftest_numbers(void)
     run("shift-round-64", shift, INPUTS_64);
     run("reciprocal-q31", reciprocal, INPUTS);
     run("unit-q15", unit_q15, INPUTS);
+    run("unit-q28", unit_q28, INPUTS);
     run("power-q15", power, INPUTS);
     run("sine-cosine-q30", sine_cosine, INPUTS);
     run("square-root-u64", square_root, INPUTS_64);

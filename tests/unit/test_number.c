@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The integer and fixed-point routines: each bound that src/number states is measured again.
+ * The integer and fixed-point routines: each bound that src/number states is measured again. Unit vectors have a file
+ * of their own, test_number_unit.c.
  */
 #include "tests/unit/numeric.h"
 
@@ -10,21 +11,31 @@
 
 /* Budgets, as number/fixed.h states them. */
 #define RECIPROCAL_LOG2 (-27.8L)     /* relative */
-#define UNIT_Q15_ULP 1.22L           /* of Q15, a component */
-#define POWER_ERROR 0.0002L          /* 0.05 code of 1/255 */
 #define POWER_RISE_ULP 1             /* of Q15: a greater gap may give that much more */
 #define SINE_ULP 2.0L                /* of Q30 */
-#define UNIT_Q28_ULP 4.0L            /* of Q28, a component */
-#define UNIT_Q30_ULP 6.0L            /* of Q30, a component */
 #define SCALED_INVERSE_LOG2 (-27.8L) /* relative */
 #define SCALED_FROM_LOG2 (-30.0L)    /* relative: 31 bits, rounded down */
-#define UNIT_Q15_LENGTH_ULP 2.1131L  /* of Q15: three components, sqrt(3) 1.22 */
+#if GLINT_SMALL_TABLES
+#define POWER_ERROR 0.00034L
+#else
+#define POWER_ERROR 0.00016L
+#endif
 
+/* The search in C stands in where the processor cannot count: it is tested everywhere. */
 static void leading_zeros_and_bit_lengths_are_counted(void **state)
 {
     (void)state;
     assert_int_equal(clz32(0), 32);
-    assert_int_equal(bit_length64(0), 0);
+    assert_int_equal(clz32_search(0), 32);
+    for (int place = 0; place < 32; place++) { /* every entry of its table, at every place */
+        const uint32_t top = (uint32_t)1 << place, eighth = top >> 3;
+        for (uint32_t below = 0; below < 8; below++) {
+            const uint32_t least = top + eighth * below, greatest = eighth ? least + eighth - 1 : least;
+            assert_int_equal(clz32(least), 31 - place);
+            assert_int_equal(clz32_search(least), 31 - place);
+            assert_int_equal(clz32_search(greatest), clz32(greatest));
+        }
+    }
     for (int round = 0; round < 1000000; round++) {
         const uint32_t value = round < EDGE_CASES ? edge_case_u32((unsigned)round) : random_u32() >> (round % 32);
         const uint64_t value64 = round < EDGE_CASES ? (uint64_t)value << 32 | value : random_u64() >> (round % 64);
@@ -36,6 +47,7 @@ static void leading_zeros_and_bit_lengths_are_counted(void **state)
             bits++;
         }
         assert_int_equal(clz32(value), zeros);
+        assert_int_equal(clz32_search(value), zeros);
         assert_int_equal(bit_length64(value64), bits);
     }
 }
@@ -51,6 +63,22 @@ static void magnitudes_and_saturation_hold_at_the_limits(void **state)
     assert_true(saturate_s32((int64_t)INT32_MAX + 1) == INT32_MAX && saturate_s32(INT32_MAX) == INT32_MAX);
     assert_true(saturate_s32((int64_t)INT32_MIN - 1) == INT32_MIN && saturate_s32(INT32_MIN) == INT32_MIN);
     assert_true(saturate_s32(-17) == -17);
+}
+
+static void signs_are_taken_off_and_put_back(void **state)
+{
+    (void)state;
+    assert_true(with_sign_of(INT32_MIN, 0x80000000u) == INT32_MIN && with_sign_of(INT32_MIN, 0) == 0);
+    assert_true(with_sign_of(-1, INT32_MAX) == -INT32_MAX && with_sign_of(INT32_MAX, INT32_MAX) == INT32_MAX);
+    assert_true(with_sign_of(0, 17) == 17 && with_sign_of(1, 17) == 17 && with_sign_of(-1, 17) == -17);
+    for (int round = 0; round < 1000000; round++) {
+        const int32_t value = round < EDGE_CASES ? (int32_t)edge_case_u32((unsigned)round) : random_any_size(31);
+        const uint32_t magnitude = random_u32() >> random_between(1, 31);
+        const int64_t wide_value = value, wide_magnitude = magnitude;
+        assert_true(magnitude32(value) == (uint64_t)(wide_value < 0 ? -wide_value : wide_value));
+        assert_true(with_sign_of(value, magnitude) == (wide_value < 0 ? -wide_magnitude : wide_magnitude));
+        assert_true(with_sign_of(value, magnitude32(value)) == value);
+    }
 }
 
 static void narrow_products_equal_wide_ones_for(uint32_t a, uint32_t b)
@@ -144,127 +172,6 @@ static void reciprocal_keeps_its_bound(void **state)
     expect_bound_log2("glint_reciprocal_q31, relative", (long double)worst / exp2l(62), RECIPROCAL_LOG2);
 }
 
-typedef struct unit_worst {
-    long double component_ulp, length_ulp;
-} unit_worst;
-
-static void check_unit_q15(const int32_t v[3], unit_worst *worst)
-{
-    int32_t unit[3], opposite[3], in_place[3];
-    long double square = 0, unit_square = 0;
-    for (int k = 0; k < 3; k++) {
-        square += (long double)v[k] * v[k];
-        in_place[k] = v[k];
-        opposite[k] = v[k] == INT32_MIN ? INT32_MIN : -v[k];
-    }
-    if (!glint_unit_q15(v, unit) || !glint_unit_q15(in_place, in_place) || !glint_unit_q15(opposite, opposite)) {
-        fail_msg("no unit vector along (%d, %d, %d)", v[0], v[1], v[2]);
-    }
-    const long double length = sqrtl(square);
-    for (int k = 0; k < 3; k++) {
-        worst->component_ulp = worse(worst->component_ulp, fabsl((long double)unit[k] - 32768 * (v[k] / length)));
-        unit_square += (long double)unit[k] * unit[k];
-        assert_int_equal(in_place[k], unit[k]);
-        assert_int_equal(opposite[k], v[k] == INT32_MIN ? unit[k] : -unit[k]);
-    }
-    worst->length_ulp = worse(worst->length_ulp, fabsl(sqrtl(unit_square) - 32768));
-}
-
-/* A vector whose 16-bit components give a sum of squares beside a border of the seed's cells. */
-static void vector_at_cell_border(int32_t v[3])
-{
-    const int cell = random_between(8, 32), down = random_between(0, 1);
-    const double border = 4.0 * cell * 134217728.0 / (down ? 4 : 1); /* of |w|^2 */
-    double rest = border;
-    int32_t w[3];
-    for (int k = 0; k < 2; k++) {
-        const double greatest = sqrt(rest) < 65535.0 ? sqrt(rest) : 65535.0;
-        w[k] = random_between(0, (int32_t)greatest);
-        rest -= (double)w[k] * w[k];
-    }
-    w[2] = (int32_t)(sqrt(rest) < 65533.0 ? sqrt(rest) : 65533.0) + random_between(0, 2);
-    const int first = random_between(0, 2), up = random_between(0, 14);
-    for (int k = 0; k < 3; k++) {
-        v[(k + first) % 3] = (random_u32() & 1 ? -1 : 1) * (int32_t)((uint32_t)w[k] << up);
-    }
-}
-
-static void unit_q15_keeps_its_bound(void **state)
-{
-    static const int32_t special[12] = {0,     1,     -1,     2,         3,         32767,
-                                        32768, 65535, -65536, INT32_MAX, INT32_MIN, INT32_MIN + 1};
-    const int32_t zero[3] = {0, 0, 0};
-    int32_t untouched[3] = {7, 8, 9};
-    unit_worst worst = {0, 0};
-    (void)state;
-    assert_false(glint_unit_q15(zero, untouched));
-    assert_true(untouched[0] == 7 && untouched[1] == 8 && untouched[2] == 9);
-    const int32_t worst_known[3] = {467353599, 263831552, 1073790976}; /* 1.203 ulp, where the proof has its greatest */
-    check_unit_q15(worst_known, &worst);
-    for (int i = 1; i < 12 * 12 * 12; i++) {
-        const int32_t v[3] = {special[i % 12], special[i / 12 % 12], special[i / 144]};
-        check_unit_q15(v, &worst);
-    }
-    for (int k = 0; k < 3; k++) { /* axes: exact but for one ulp, whatever the length */
-        for (int bit = 0; bit < 32; bit++) {
-            int32_t v[3] = {0, 0, 0}, unit[3];
-            v[k] = (int32_t)((uint32_t)1 << bit);
-            check_unit_q15(v, &worst);
-            assert_true(glint_unit_q15(v, unit));
-            assert_true(magnitude32(unit[k]) >= 32767 && magnitude32(unit[k]) <= 32768);
-            assert_true(unit[(k + 1) % 3] == 0 && unit[(k + 2) % 3] == 0);
-        }
-    }
-    for (long round = 0; round < 10000000; round++) {
-        int32_t v[3];
-        switch (round % 4) {
-        case 0: /* all sizes */
-            v[0] = random_any_size(31), v[1] = random_any_size(31), v[2] = random_any_size(31);
-            break;
-        case 1: /* like sizes */
-            v[0] = (int32_t)random_u32(), v[1] = (int32_t)random_u32(), v[2] = (int32_t)random_u32();
-            break;
-        case 2: /* equal components */
-            v[0] = random_any_size(31), v[1] = random_u32() & 1 ? v[0] : -v[0];
-            v[2] = round & 4 ? v[0] : random_any_size(31);
-            break;
-        default:
-            vector_at_cell_border(v);
-        }
-        if (v[0] || v[1] || v[2]) {
-            check_unit_q15(v, &worst);
-        }
-    }
-    expect_bound("glint_unit_q15, ulp of Q15", worst.component_ulp, UNIT_Q15_ULP);
-    expect_at_most("glint_unit_q15, length, ulp of Q15", worst.length_ulp, UNIT_Q15_LENGTH_ULP);
-}
-
-static void unit_q28_keeps_its_bound(void **state)
-{
-    const int32_t zero[3] = {0, 0, 0};
-    int32_t unit[3] = {7, 8, 9};
-    long double worst = 0;
-    (void)state;
-    assert_false(glint_unit_q28(zero, unit));
-    assert_true(unit[0] == 7 && unit[1] == 8 && unit[2] == 9);
-    for (long round = 0; round < 3000000; round++) {
-        int32_t v[3];
-        if (round % 2) {
-            v[0] = random_any_size(31), v[1] = random_any_size(31), v[2] = random_any_size(31);
-        } else {
-            v[0] = (int32_t)random_u32(), v[1] = (int32_t)random_u32(), v[2] = round % 64 ? INT32_MAX : INT32_MIN;
-        }
-        if (!glint_unit_q28(v, unit)) {
-            continue;
-        }
-        const long double x = v[0], y = v[1], z = v[2], length = sqrtl(x * x + y * y + z * z);
-        for (int k = 0; k < 3; k++) {
-            worst = worse(worst, fabsl(unit[k] - 268435456.0L * v[k] / length));
-        }
-    }
-    expect_bound("glint_unit_q28, ulp of Q28", worst, UNIT_Q28_ULP);
-}
-
 static int compare_u32(const void *a, const void *b)
 {
     const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
@@ -284,7 +191,7 @@ static int list_gaps(uint32_t *gap)
         gap[count++] = one - i;
         gap[count++] = (uint32_t)(one * powl(2.0L, -(long double)i * 31 / 400));
     }
-    for (int octave = 0; octave < 31; octave++) { /* of x; cells are 1/32 of y = 1 - 2^k x in [0, 1/2] */
+    for (int octave = 0; octave < 31; octave++) { /* of x; 32 or 16 cells over y = 1 - 2^k x in [0, 1/2] */
         for (uint32_t cell = 0; cell <= 32; cell++) {
             const uint32_t x = (one - (cell << 25)) >> octave;
             for (uint32_t near = 0; near < 3; near++) {
@@ -395,35 +302,6 @@ static void square_root_is_exact(void **state)
     }
 }
 
-static void unit_q30_keeps_its_bound(void **state)
-{
-    const int64_t zero[3] = {0, 0, 0};
-    int32_t unit[3];
-    long double worst = 0;
-    (void)state;
-    assert_false(glint_unit_q30(zero, unit));
-    for (long round = 0; round < 3000000; round++) {
-        int64_t v[3];
-        long double square = 0;
-        const int common = random_between(2, 63);
-        for (int k = 0; k < 3; k++) {
-            const uint64_t m = round % 5 == 0   ? (uint64_t)1 << random_between(0, 62)
-                               : round % 5 == 1 ? random_u64() >> common
-                                                : random_u64() >> random_between(2, 64 - 1);
-            v[k] = round % 7 == k ? 0 : random_u32() & 1 ? -(int64_t)m : (int64_t)m;
-            square += (long double)v[k] * v[k];
-        }
-        if (square == 0) {
-            continue;
-        }
-        assert_true(glint_unit_q30(v, unit));
-        for (int k = 0; k < 3; k++) {
-            worst = worse(worst, fabsl((long double)unit[k] - 1073741824 * (v[k] / sqrtl(square))));
-        }
-    }
-    expect_bound("glint_unit_q30, ulp of Q30", worst, UNIT_Q30_ULP);
-}
-
 static void scaled_numbers_keep_their_bounds(void **state)
 {
     long double worst_from = 0, worst_inverse = 0;
@@ -442,6 +320,34 @@ static void scaled_numbers_keep_their_bounds(void **state)
     expect_bound_log2("glint_scaled_inverse, relative", worst_inverse, SCALED_INVERSE_LOG2);
 }
 
+#if GLINT_SMALL_TABLES
+
+/* Each seed as far from either end of its cell. */
+static void check_root_table(void)
+{
+    for (int i = 0; i < 24; i++) {
+        const long double least = 65536 / sqrtl(1 + (i + 1) / 8.0L), greatest = 65536 / sqrtl(1 + i / 8.0L);
+        assert_true(glint_root_seed_q16[i] > least && glint_root_seed_q16[i] < greatest);
+        assert_true(fabsl((long double)glint_root_seed_q16[i] - (least + greatest) / 2) < (greatest - least) / 8);
+    }
+}
+
+#else
+
+/* Each entry below the curve by half of what the chord to the next one is above it, and then rounded down. In the last
+ * cells that half differs by less than 1/16 from one cell to the next; in the first by less than that too. */
+static void check_root_table(void)
+{
+    for (int i = 0; i <= 192; i++) {
+        const long double x = 1 + i / 64.0L, next = x + 1 / 64.0L, middle = x + 1 / 128.0L;
+        const long double chord = 65536 * ((1 / sqrtl(x) + 1 / sqrtl(next)) / 2 - 1 / sqrtl(middle));
+        const long double lost = 65536 / sqrtl(x) - chord / 2 - glint_root_q16[i];
+        assert_true(lost > -1 / 16.0L && lost < 1 + 1 / 16.0L);
+    }
+}
+
+#endif
+
 static void tables_hold_what_their_names_say(void **state)
 {
     bool seen[64] = {false};
@@ -450,15 +356,19 @@ static void tables_hold_what_their_names_say(void **state)
         const long double middle = 32768 / (1 + (i + 0.5L) / 64);
         assert_true(fabsl((long double)glint_reciprocal_seed_q15[i] - middle) <= 4);
     }
-    for (int i = 0; i < 24; i++) {
-        const long double least = 65536 / sqrtl(1 + (i + 1) / 8.0L), greatest = 65536 / sqrtl(1 + i / 8.0L);
-        assert_true(glint_root_seed_q16[i] > least && glint_root_seed_q16[i] < greatest);
-        assert_true(fabsl((long double)glint_root_seed_q16[i] - (least + greatest) / 2) < (greatest - least) / 8);
-    }
-    for (int i = 0; i <= 32; i++) {
-        const long double y = i / 64.0L, slope = i ? -log2l(1 - y) / y : 1 / logl(2);
+    check_root_table();
+    for (int i = 0; i <= 1 << GLINT_POWER_CELLS_LOG2; i++) {
+        const long double part = (long double)i / (1 << GLINT_POWER_CELLS_LOG2), y = part / 2;
+        const long double slope = i ? -log2l(1 - y) / y : 1 / logl(2);
         assert_int_equal(glint_log_slope_q14[i], (int)roundl(slope * 16384));
-        assert_int_equal(glint_exp_fraction_q15[i], (int)roundl(exp2l(-i / 32.0L) * 32768));
+        assert_int_equal(glint_exp_fraction_q15[i], (int)roundl(exp2l(-part) * 32768));
+    }
+    for (int i = 0; i < 16; i++) {
+        int zeros = 0;
+        while (zeros < 4 && !(i >> (3 - zeros))) {
+            zeros++;
+        }
+        assert_int_equal(glint_clz_u4[i], zeros);
     }
     for (int i = 0; i < 64; i++) { /* B. E. Bayer, ICC 1973: bits of x ^ y and of y, interleaved and reversed */
         const int x = i % 8, y = i / 8, d = x ^ y;
@@ -474,16 +384,14 @@ int main(void)
     const struct CMUnitTest tests[] = {
         numeric_test(leading_zeros_and_bit_lengths_are_counted),
         numeric_test(magnitudes_and_saturation_hold_at_the_limits),
+        numeric_test(signs_are_taken_off_and_put_back),
         numeric_test(narrow_products_equal_wide_ones),
         numeric_test(shifts_round_to_nearest_halves_up),
         numeric_test(reciprocal_keeps_its_bound),
-        numeric_test(unit_q15_keeps_its_bound),
-        numeric_test(unit_q28_keeps_its_bound),
         numeric_test(power_keeps_its_bound),
         numeric_test(power_falls_with_the_gap),
         numeric_test(sine_and_cosine_keep_their_bound),
         numeric_test(square_root_is_exact),
-        numeric_test(unit_q30_keeps_its_bound),
         numeric_test(scaled_numbers_keep_their_bounds),
         numeric_test(tables_hold_what_their_names_say),
     };

@@ -7,36 +7,9 @@
 #include "number/real.h"
 
 /* Budgets, as number/real.h states them. */
-#define INVERSE_ROOT_LOG2 (-23.0L) /* relative */
 #define POWER_ERROR 2e-7L
 #define LEAST_FRACTION (-96) /* of float_from_scaled() */
 #define GREATEST_FRACTION 126
-
-static long double inverse_root_error(uint32_t bits)
-{
-    const float x = float_from_bits(bits);
-    return fabsl((long double)glint_inverse_root(x) * sqrtl((long double)x) - 1);
-}
-
-static void inverse_root_keeps_its_bound(void **state)
-{
-    const uint32_t one = bits_from_float(1.0f);
-    long double worst = 0;
-    (void)state;
-    /* all floats of [1, 4): the seed and the steps repeat every two octaves */
-    for (uint32_t bits = one; bits < bits_from_float(4.0f); bits++) {
-        worst = worse(worst, inverse_root_error(bits));
-    }
-    /* every octave of normal numbers, its ends included */
-    for (uint32_t exponent = 1; exponent < 255; exponent++) {
-        worst = worse(worst, inverse_root_error(exponent << 23));
-        worst = worse(worst, inverse_root_error(exponent << 23 | 0x7fffff));
-        for (int round = 0; round < 20000; round++) {
-            worst = worse(worst, inverse_root_error(exponent << 23 | random_u32() >> 9));
-        }
-    }
-    expect_bound_log2("glint_inverse_root, relative", worst, INVERSE_ROOT_LOG2);
-}
 
 static float random_gap(int round)
 {
@@ -135,9 +108,11 @@ static void bits_and_floats_are_taken_as_they_are(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        numeric_test(inverse_root_keeps_its_bound),     numeric_test(power_keeps_its_bound),
-        numeric_test(power_is_exact_at_the_ends),       numeric_test(floor_is_that_of_libm),
-        numeric_test(scaled_integers_are_rounded_once), numeric_test(bits_and_floats_are_taken_as_they_are),
+        numeric_test(power_keeps_its_bound),
+        numeric_test(power_is_exact_at_the_ends),
+        numeric_test(floor_is_that_of_libm),
+        numeric_test(scaled_integers_are_rounded_once),
+        numeric_test(bits_and_floats_are_taken_as_they_are),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

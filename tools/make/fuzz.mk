@@ -40,17 +40,22 @@ $(B)/fuzz-%: $(B)/obj/$(FUZZ)/fuzz_%.o $(HOST_ARCHIVES)
 
 -include $(patsubst %.o,%.d,$(call objects,$(FUZZ_SOURCES)))
 
-# What UBSan sees, at every arithmetic operation of the library, over the corpus; and intervals, where sources are traced.
+# The checking build: UBSan at every arithmetic operation of the library, and the interval of each quantity that its
+# sources trace (tests/fuzz/trace.h), held against tests/fuzz/ranges_table.h. No ASan: its redzones would break up the
+# linker's list of traces.
 RANGE_SANITIZE := -fsanitize=undefined,float-cast-overflow -fno-sanitize-recover=all
+RANGE_SEED ?= 7
+RANGE_SCENES ?= $(if $(LONG),2000000,100000)
 
 .PHONY: ranges
-ranges: ## The range of each named fixed-point quantity over the corpus, beside the documented one; overflow ends it
+ranges: ## The range of each named fixed-point quantity over a corpus, beside the documented one; LONG=1 for more scenes
+	@tools/install-packages.sh fuzz
 	@+$(SUBMAKE) B=$(B)/ranges CC=clang CFLAGS="-O2 -g $(RANGE_SANITIZE) -include $(abspath $(FUZZ)/trace.h)" \
 		PNG=no ASSIMP=no run-ranges
 
 .PHONY: run-ranges
 run-ranges: $(B)/check-ranges
-	@$(B)/check-ranges
+	@$(B)/check-ranges $(RANGE_SEED) $(RANGE_SCENES)
 
 TARGET_SOURCES += $(FUZZ)/ranges.c
 $(B)/check-ranges: $(B)/obj/$(FUZZ)/ranges.o $(HOST_ARCHIVES)

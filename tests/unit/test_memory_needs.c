@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The working memory at the limits of what is kept in it (src/memory.h): with 65,535 triangles or more there are no
+ * sorted lists, and a row of pixels is at most 1,048,575 bytes.
+ */
+#include "tests/unit/backends.h"
+#include "tests/unit/board.h"
+
+#include <glint/error.h>
+
+#define MOST_SORTED 65534u /* triangles; the number 65535 ends a list */
+#define VERTEX_BYTES 12
+#define BAND_PX 4
+#define LONGEST_STRIDE 0xfffffu
+
+/* Objects that share the board's mesh under other numbers of triangles: of all but the scene's last two, which are the
+ * board's, nothing is to be seen. */
+#define MOST_OBJECTS 3
+typedef struct crowd {
+    board b;
+    glint_mesh mesh[MOST_OBJECTS];
+    glint_object objects[MOST_OBJECTS];
+} crowd;
+
+static uint16_t no_area[65535][3]; /* all corners the same vertex */
+
+static void crowd_set_up(crowd *c, uint32_t triangles)
+{
+    static uint16_t last[65535][3];
+    uint32_t left = triangles;
+    board_set_up(&c->b);
+    board_normals(&c->b, 8000, 3000, 12000);
+    c->b.material.diffuse = board_grey(15000);
+    c->b.scene.object_count = 0;
+    while (left > 0) {
+        const uint16_t i = c->b.scene.object_count++;
+        /* the last object has two at least */
+        const uint16_t count = (uint16_t)(left <= 65535 ? left : left - 65535 < 2 ? 65533 : 65535);
+        left -= count;
+        assert_true(i < MOST_OBJECTS);
+        c->mesh[i] = c->b.mesh;
+        c->mesh[i].triangle_count = count;
+        c->mesh[i].triangles = (const uint16_t(*)[3])no_area;
+        c->objects[i] = c->b.object;
+        c->objects[i].mesh = &c->mesh[i];
+        if (left == 0) {
+            memset(last, 0, sizeof last);
+            memcpy(last[count - 2], c->b.triangles, sizeof c->b.triangles);
+            c->mesh[i].triangles = (const uint16_t(*)[3])last;
+        }
+    }
+    c->b.scene.objects = c->objects;
+}
+
+static const uint32_t counts[] = {2, 3, 40000, MOST_SORTED - 1, MOST_SORTED, MOST_SORTED + 1, 65536, 65537, 131072};
+#define COUNTS (sizeof counts / sizeof *counts)
+
+static void test_lists_up_to_65534_triangles(void **state)
+{
+    static crowd c;
+    (void)state;
+    for (size_t n = 0; n < COUNTS; n++) {
+        crowd_set_up(&c, counts[n]);
+        for (uint16_t band_px = 0; band_px <= BOARD_PX; band_px++) {
+            const glint_display display = {.width_px = BOARD_PX, .height_px = BOARD_PX, .band_px = band_px};
+            const uint32_t bands = band_px == 0 ? 1 : (BOARD_PX + band_px - 1u) / band_px;
+            const size_t lists = counts[n] <= MOST_SORTED ? (counts[n] + bands + 1) / 2 * 4 : 0;
+            const size_t vertices = (size_t)c.b.scene.object_count * 4 * VERTEX_BYTES;
+            for (int which = 0; which < BACKENDS; which++) {
+                const size_t least = backends[which].memory_least_bytes(&c.b.scene, &display);
+                assert_int_equal(backends[which].memory_bytes(&c.b.scene, &display), least + lists + vertices);
+            }
+        }
+    }
+}
+
+/* What is drawn does not depend on whether there are lists. */
+static void test_more_triangles_than_lists_hold(void **state)
+{
+    static crowd c;
+    (void)state;
+    for (int which = 0; which < BACKENDS; which++) {
+        frame first = {.bytes = 0};
+        for (size_t n = 0; n < COUNTS; n++) {
+            frame f = {.display = {.width_px = BOARD_PX, .height_px = BOARD_PX, .band_px = BAND_PX}};
+            crowd_set_up(&c, counts[n]);
+            assert_int_equal(frame_draw(&f, &c.b.scene, which), 0);
+            assert_int_equal(f.report.triangles, counts[n]);
+            assert_int_equal(f.report.triangles_drawn, 2);
+            assert_int_equal(f.report.triangles_empty, counts[n] - 2);
+            assert_int_equal(f.report.pixels_shaded, BOARD_PX * BOARD_PX);
+            assert_int_equal(f.report.memory_used_bytes, f.memory_given);
+            if (n == 0) {
+                first = f;
+            } else {
+                assert_memory_equal(f.pixels, first.pixels, first.bytes);
+                frame_free(&f);
+            }
+        }
+        frame_free(&first);
+    }
+}
+
+static void test_the_longest_stride(void **state)
+{
+    board b;
+    (void)state;
+    board_set_up(&b);
+    b.material.diffuse = board_grey(15000);
+    for (int which = 0; which < BACKENDS; which++) {
+        frame plain = {.display = {.width_px = BOARD_PX, .height_px = BOARD_PX, .band_px = BAND_PX}};
+        frame wide = plain, wider = plain;
+        const size_t without = backends[which].memory_least_bytes(&b.scene, &plain.display);
+        const size_t row = (size_t)BOARD_PX * 3;
+        assert_int_equal(frame_draw(&plain, &b.scene, which), 0);
+        wide.display.stride_bytes = LONGEST_STRIDE;
+        assert_int_equal(frame_draw(&wide, &b.scene, which), 0);
+        assert_memory_equal(wide.pixels, plain.pixels, plain.bytes);
+        /* a band of 4 rows is a multiple of 4 bytes with either stride */
+        assert_int_equal(backends[which].memory_least_bytes(&b.scene, &wide.display) - without,
+                         BAND_PX * (LONGEST_STRIDE - row));
+        wider.display.stride_bytes = LONGEST_STRIDE + 1;
+        assert_int_equal(backends[which].memory_bytes(&b.scene, &wider.display), 0);
+        assert_int_equal(backends[which].memory_least_bytes(&b.scene, &wider.display), 0);
+        wider.memory_bytes = 64;
+        assert_int_equal(frame_draw(&wider, &b.scene, which), GLINT_ERROR_DISPLAY_STRIDE);
+        assert_int_equal(wider.bands_seen, 0);
+        frame_free(&plain);
+        frame_free(&wide);
+        frame_free(&wider);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_lists_up_to_65534_triangles),
+        cmocka_unit_test(test_more_triangles_than_lists_hold),
+        cmocka_unit_test(test_the_longest_stride),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

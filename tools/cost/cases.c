@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The yardstick scenes and how each is shaded: a line a case, counted on every target that has the memory, in both
+ * backends.
+ *
+ *   A           sphere of 960 triangles, tinted highlight, 240 x 240: about 248 triangles face the eye
+ *   A-bands16   the same in bands of 16 rows
+ *   A-8-lights  the same under eight white lights of an eighth each
+ *   B           A, flat
+ *   C           the sphere of 100 triangles: mostly filling
+ *   teapot, knot   the scenes of these names in examples/scenes, at the size they are designed for
+ *   A-96x64, C-96x64   A and C on a small panel, in bands of 8 rows: what an AVR with 16 KB of RAM can hold
+ */
+#include "tools/cost/cases.h"
+
+#include <examples/scenes/parts.h>
+
+/* Shadings that are forced for the whole frame. */
+#define EXACT                                                                                                          \
+    "exact", "-",                                                                                                      \
+    {                                                                                                                  \
+        .shading = GLINT_SHADING_EXACT                                                                                 \
+    }
+#define GOURAUD                                                                                                        \
+    "Gouraud", "-",                                                                                                    \
+    {                                                                                                                  \
+        .shading = GLINT_SHADING_GOURAUD                                                                               \
+    }
+#define FLAT                                                                                                           \
+    "flat", "-",                                                                                                       \
+    {                                                                                                                  \
+        .shading = GLINT_SHADING_FLAT                                                                                  \
+    }
+
+#define OWN_LIGHTS NULL, 0
+#define EIGHT_LIGHTS eight, LENGTH_OF(eight)
+
+#ifndef __AVR__
+/* All in front of the sphere, so that each lights most of what is seen: four 29 degrees off the view direction, four
+ * 66 degrees off it. */
+static const glint_light eight[] = {
+    {.kind = GLINT_DIRECTIONAL, .direction = {4, 4, -10}, .colour = COLOUR(125, 125, 125)},
+    {.kind = GLINT_DIRECTIONAL, .direction = {4, -4, -10}, .colour = COLOUR(125, 125, 125)},
+    {.kind = GLINT_DIRECTIONAL, .direction = {-4, 4, -10}, .colour = COLOUR(125, 125, 125)},
+    {.kind = GLINT_DIRECTIONAL, .direction = {-4, -4, -10}, .colour = COLOUR(125, 125, 125)},
+    {.kind = GLINT_DIRECTIONAL, .direction = {9, 0, -4}, .colour = COLOUR(125, 125, 125)},
+    {.kind = GLINT_DIRECTIONAL, .direction = {-9, 0, -4}, .colour = COLOUR(125, 125, 125)},
+    {.kind = GLINT_DIRECTIONAL, .direction = {0, 9, -4}, .colour = COLOUR(125, 125, 125)},
+    {.kind = GLINT_DIRECTIONAL, .direction = {0, -9, -4}, .colour = COLOUR(125, 125, 125)},
+};
+#endif
+
+/* clang-format off */
+const cost_case cost_cases[] = {
+#ifndef __AVR__
+    {"A", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 0, EXACT},
+    {"A", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 0, GOURAUD},
+    {"A-bands16", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 16, EXACT},
+    {"A-bands16", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 16, GOURAUD},
+    {"A-8-lights", &demo_sphere_32x16, EIGHT_LIGHTS, 240, 240, 0, EXACT},
+    {"A-8-lights", &demo_sphere_32x16, EIGHT_LIGHTS, 240, 240, 0, GOURAUD},
+    {"B", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 0, FLAT},
+    {"C", &demo_sphere_10x6, OWN_LIGHTS, 240, 240, 0, EXACT},
+    {"C", &demo_sphere_10x6, OWN_LIGHTS, 240, 240, 0, GOURAUD},
+    {"C", &demo_sphere_10x6, OWN_LIGHTS, 240, 240, 0, FLAT},
+    {"teapot", &demo_teapot, OWN_LIGHTS, 320, 240, 0, EXACT},
+    {"teapot", &demo_teapot, OWN_LIGHTS, 320, 240, 0, GOURAUD},
+    {"teapot", &demo_teapot, OWN_LIGHTS, 320, 240, 0, FLAT},
+    {"knot", &demo_torus_knot, OWN_LIGHTS, 240, 240, 0, EXACT},
+    {"knot", &demo_torus_knot, OWN_LIGHTS, 240, 240, 0, GOURAUD},
+    {"knot", &demo_torus_knot, OWN_LIGHTS, 240, 240, 0, FLAT},
+#endif
+    {"A-96x64", &demo_sphere_32x16, OWN_LIGHTS, 96, 64, 8, EXACT},
+    {"A-96x64", &demo_sphere_32x16, OWN_LIGHTS, 96, 64, 8, GOURAUD},
+    {"A-96x64", &demo_sphere_32x16, OWN_LIGHTS, 96, 64, 8, FLAT},
+    {"C-96x64", &demo_sphere_10x6, OWN_LIGHTS, 96, 64, 8, EXACT},
+    {"C-96x64", &demo_sphere_10x6, OWN_LIGHTS, 96, 64, 8, GOURAUD},
+    {"C-96x64", &demo_sphere_10x6, OWN_LIGHTS, 96, 64, 8, FLAT},
+};
+/* clang-format on */
+
+const uint16_t cost_case_count = LENGTH_OF(cost_cases);

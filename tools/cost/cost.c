@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The program that runs on a target and counts its frames. It prints lines of words, which judge.c reads:
+ *
+ *     calibration KNOWN COUNTED                  instructions or cycles, and the steps that the counter took for them
+ *     unit instructions|cycles
+ *     cost SCENE BACKEND SHADING TOLERANCE FIRST SECOND HASH   steps of two frames alike; FNV-1a of a third, fixed only
+ *     left SCENE BACKEND SHADING TOLERANCE BYTES     not drawn: takes so much memory, and there is less
+ *     failed SCENE BACKEND SHADING TOLERANCE TEXT
+ *     end
+ *
+ * A frame is one call of glint_fixed_render() or glint_float_render(), clears included, with a flush function that
+ * returns at once. Limits: the counter's step is 40 instructions on QEMU's MPS2 boards; on the AVR its overflow
+ * interrupt, every 65,536 cycles, counts as the frame's.
+ */
+#include <glint/error.h>
+
+#include "tests/target/platform.h"
+#include "tests/target/selftest.h"
+#include "tools/cost/cases.h"
+
+/* Empty: all cases. An emulator's script that wants one puts its first words here, "A fixed exact". */
+extern const volatile char cost_chosen[COST_NAME_BYTES];
+const volatile char cost_chosen[COST_NAME_BYTES] = "";
+
+/* Rounds of platform_known_loop(), so that one step of the counter more or less does not show. */
+enum { ROUNDS = 20 };
+
+static int discard(void *context, const glint_band *band)
+{
+    (void)context;
+    (void)band;
+    return 0;
+}
+
+static void calibrate(void)
+{
+    uint32_t known = 0, empty = platform_count();
+    empty = platform_count() - empty;
+    const uint32_t start = platform_count();
+    for (int i = 0; i < ROUNDS; i++) {
+        known += platform_known_loop();
+    }
+    const uint32_t steps = platform_count() - start;
+    report_begin("calibration");
+    report_decimal(known);
+    report_decimal(steps - empty);
+    report_end();
+    report_begin("unit");
+    report_word(platform_count_unit);
+    report_end();
+}
+
+static void begin(const char *kind, const cost_case *c, int backend)
+{
+    report_begin(kind);
+    report_word(c->scene);
+    report_word(cost_backend_names[backend]);
+    report_word(c->shading);
+    report_word(c->tolerance);
+}
+
+/* cost_chosen holds the first words of the case's name, or none. */
+static bool is_chosen(const cost_case *c, int backend)
+{
+    const char *const words[] = {c->scene, cost_backend_names[backend], c->shading, c->tolerance};
+    const volatile char *chosen = cost_chosen;
+    for (size_t i = 0; i < sizeof words / sizeof words[0] && *chosen; i++) {
+        const char *word = words[i];
+        while (*word && *word == *chosen) {
+            word++;
+            chosen++;
+        }
+        if (*word || (*chosen && *chosen++ != ' ')) {
+            return false;
+        }
+    }
+    return *chosen == '\0';
+}
+
+/* Steps of one frame; what the library returned is in *error. One copy of the code, or frames alike would not cost the
+ * same. */
+__attribute__((noinline)) static uint32_t frame(const cost_case *c, int backend, size_t bytes, int *error)
+{
+    const uint32_t start = platform_count();
+    *error = cost_draw(c, backend, GLINT_RGB565, discard, NULL, cost_memory, bytes, NULL);
+    return platform_count() - start;
+}
+
+static void count(const cost_case *c, int backend)
+{
+    const size_t bytes = cost_frame_bytes(c, backend, GLINT_RGB565);
+    if (bytes == 0 || bytes > cost_memory_bytes) {
+        begin("left", c, backend);
+        report_decimal((uint32_t)bytes);
+        report_end();
+        return;
+    }
+    uint64_t hash = HASH_START;
+    uint32_t steps[2] = {0, 0};
+    int error = 0;
+    for (int i = 0; i < 2 && error == 0; i++) {
+        steps[i] = frame(c, backend, bytes, &error);
+    }
+    if (error == 0 && backend == COST_FIXED) {
+        error = cost_draw(c, backend, GLINT_RGB565, cost_hash_band, &hash, cost_memory, bytes, NULL);
+    }
+    begin(error ? "failed" : "cost", c, backend);
+    if (error) {
+        report_word(glint_error_text(error));
+    } else {
+        report_decimal(steps[0]);
+        report_decimal(steps[1]);
+        report_hex(backend == COST_FIXED ? hash : 0, 16);
+    }
+    report_end();
+}
+
+int main(void)
+{
+    platform_begin();
+    calibrate();
+    for (uint16_t i = 0; i < cost_case_count; i++) {
+        for (int backend = 0; backend < COST_BACKENDS; backend++) {
+            if ((cost_backends >> backend & 1) && is_chosen(&cost_cases[i], backend)) {
+                count(&cost_cases[i], backend);
+            }
+        }
+    }
+    report_begin("end");
+    report_end();
+    platform_end();
+    return 0;
+}

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT */
+#include "tools/cost/cases.h"
+
+#include <string.h>
+
+#include <glint/fixed.h>
+#include <glint/float.h>
+
+#include "tests/target/selftest.h"
+
+const char *const cost_backend_names[COST_BACKENDS] = {"fixed", "float"};
+
+glint_scene cost_scene(const cost_case *c)
+{
+    glint_scene scene = *c->data;
+    if (c->lights) {
+        scene.lights = c->lights;
+        scene.light_count = c->light_count;
+    }
+    return scene;
+}
+
+static glint_display display_of(const cost_case *c, uint8_t format)
+{
+    const glint_display display = {
+        .width_px = c->width_px, .height_px = c->height_px, .band_px = c->band_px, .format = format};
+    return display;
+}
+
+size_t cost_frame_bytes(const cost_case *c, int backend, uint8_t format)
+{
+    const glint_scene scene = cost_scene(c);
+    const glint_display display = display_of(c, format);
+    return backend == COST_FIXED ? glint_fixed_memory_bytes(&scene, &display)
+                                 : glint_float_memory_bytes(&scene, &display);
+}
+
+int cost_draw(const cost_case *c, int backend, uint8_t format, glint_flush flush, void *context, void *memory,
+              size_t memory_bytes, glint_report *report)
+{
+    const glint_scene scene = cost_scene(c);
+    glint_display display = display_of(c, format);
+    display.flush = flush;
+    display.context = context;
+    return backend == COST_FIXED ? glint_fixed_render(&scene, &display, &c->quality, memory, memory_bytes, report)
+                                 : glint_float_render(&scene, &display, &c->quality, memory, memory_bytes, report);
+}
+
+int cost_hash_band(void *context, const glint_band *band)
+{
+    uint64_t hash;
+    memcpy(&hash, context, sizeof hash);
+    for (uint32_t i = 0; i < band->bytes; i += 2) {
+        uint16_t value;
+        memcpy(&value, (const uint8_t *)band->pixels + i, sizeof value);
+        hash = hash_bytes(hash, value, 2);
+    }
+    memcpy(context, &hash, sizeof hash);
+    return 0;
+}

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: MIT
+#
+# What a frame costs on emulated processors: `make cost`, `make profile`. Each processor is a flavour of this Makefile,
+# called with COST=NAME; compilers, flags, start-up code and scripts are those of target.mk and emulate.mk.
+
+COST_FLAGS ?= -O2
+COST_TARGETS := m0plus m3 m4f rv32imac m0plus-cycles avr-cycles
+COST_PROCESSORS := m0plus m3 m4f rv32imac avr
+RP2040JS := 1.4.1
+COST_NODE := $(B)/cost/node
+
+COST_SOURCES := $(sort $(wildcard tools/cost/*.c))
+COST_FIRMWARE := $(patsubst %,tools/cost/%.c,cases cost frames) $(SELFTEST)/selftest_report.c
+TARGET_SOURCES += $(COST_SOURCES)
+
+# The programs of each processor: cost.elf for QEMU or simavr; for the RP2040's emulator cycles.elf, with that chip's RAM,
+# and profile.elf, with as much RAM as any scene takes. Each has its RAM, its settings of program.c and its platform.
+cost_programs = $(patsubst %,$(B)/cost/$(1)/%.elf,$(or $(COST_PROGRAMS_$(1)),cost))
+COST_PROGRAMS_m0plus := cost cycles profile
+COST_RAM_cost := 2M
+COST_RAM_cycles := 264K
+COST_DEFINE_cycles := -DPROGRAM_MEMORY_BYTES=262144
+# Software floating point would take minutes in that emulator, and m0plus counts it in instructions.
+COST_DEFINE_cycles += -DPROGRAM_BACKENDS=1
+COST_PLATFORM_cycles := $(SELFTEST)/platform_rp2040.c
+COST_RAM_profile := $(COST_RAM_cost)
+COST_PLATFORM_profile := $(COST_PLATFORM_cycles)
+
+.PHONY: cost
+cost: ## What a frame costs on emulated processors, beside other renderers: build/cost/cost.csv. Installs what is missing
+	@tools/install-packages.sh cost || echo "Going on with what is there."
+	@+$(SUBMAKE) run-cost
+
+.PHONY: run-cost
+run-cost: $(patsubst %,cost-count-%,$(COST_TARGETS)) $(B)/cost-judge ## Count with what is installed; COST_FLAGS=-O2
+	@echo "The library was compiled with: $(COST_FLAGS)"
+	@tools/cost/run.sh table $(B) tools/cost/peers.csv $(COST_TARGETS)
+
+cost_processor = $(patsubst %-cycles,%,$(1))
+
+.PHONY: $(COST_TARGETS:%=cost-count-%)
+$(COST_TARGETS:%=cost-count-%): cost-count-%:
+	@mkdir -p $(B)/cost && rm -f $(B)/cost/$*.txt
+	@+if tools/cost/run.sh probe $*; then \
+		$(if $(filter m0plus-cycles,$*),$(SUBMAKE) -s $(COST_NODE)/node_modules/rp2040js &&) \
+		echo "  RUN   $*" && tools/cost/run.sh run $(B) $*; \
+	fi
+$(foreach target,$(COST_TARGETS),$(eval cost-count-$(target): cost-build-$(call cost_processor,$(target))))
+
+.PHONY: profile
+profile: ## Where a frame's instructions go: SCENE=A TARGET=m0plus BACKEND=fixed SHADING=exact
+	@case "$(or $(TARGET),m0plus)" in m0plus) ;; *) echo "make profile: TARGET=m0plus is the only one" >&2; exit 2 ;; esac
+	@tools/cost/run.sh probe m0plus-cycles
+	@+$(SUBMAKE) -s cost-build-m0plus $(COST_NODE)/node_modules/rp2040js
+	@node tools/cost/rp2040.js $(COST_NODE) $(B)/cost/m0plus/profile.elf --profile \
+		"$(strip $(or $(SCENE),A) $(or $(BACKEND),fixed) $(SHADING))"
+
+$(COST_NODE)/node_modules/rp2040js:
+	@mkdir -p $(COST_NODE)
+	@npm install --prefix $(COST_NODE) --no-audit --no-fund --loglevel=error rp2040js@$(RP2040JS)
+
+.PHONY: $(COST_PROCESSORS:%=cost-build-%)
+$(COST_PROCESSORS:%=cost-build-%): cost-build-%:
+	@+! command -v $($*_CC) >/dev/null || $(SUBMAKE) -s COST=$* B=$(B)/cost/$* PNG=no ASSIMP=no \
+		CC=$($*_CC) AR=$(patsubst %gcc,%ar,$($*_CC)) CFLAGS="$(COST_FLAGS) -g $(strip $($*_FLAGS))" \
+		$(call cost_programs,$*)
+
+$(B)/cost-judge: $(call objects,$(addprefix tools/cost/,judge.c cases.c frames.c) \
+		$(addprefix $(SELFTEST)/,selftest_report.c platform_stdio.c)) $(HOST_ARCHIVES)
+	$(call run,LINK)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+# Firmware but for the judge, which is a tool of the host.
+$(B)/obj/tools/cost/%.o: tools/cost/%.c $(LIBRARY_STAMPS)
+	@mkdir -p $(@D)
+	$(call run,CC  )$(CC) $(LIBRARY_FLAGS) -I. -MMD -MP -c $< -o $@
+$(B)/obj/tools/cost/judge.o: LIBRARY_FLAGS = $(HOST_FLAGS)
+-include $(patsubst %.o,%.d,$(call objects,$(COST_SOURCES)))
+
+# Within the flavour: start-up code and script that emulate.mk names, the script with the RAM asked for.
+ifdef COST
+COST_PLATFORM_cost := $(firstword $($(COST)_GLUE))
+COST_START := $(wordlist 2,9,$($(COST)_GLUE))
+ifneq ($(filter m%,$(COST)),)
+COST_LINK = $(m3_SCRIPT) -Wl,--defsym=link_ram_bytes=$(COST_RAM_$*)
+else ifeq ($(COST),rv32imac)
+COST_LINK = -nostartfiles -T $(B)/riscv.ld
+$(B)/cost.elf: $(B)/riscv.ld
+$(B)/riscv.ld: $(STARTUP)/riscv.ld $(BUILD_FILES)
+	@sed 's/LENGTH = 32K/LENGTH = $(COST_RAM_cost)/' $< > $@
+else
+COST_DEFINE_cost := -DPROGRAM_MEMORY_BYTES=12288
+endif
+
+$(B)/%.elf: $(call objects,$(COST_FIRMWARE) $(COST_START)) tools/cost/program.c $(COST_PLATFORM_cost) \
+		$(COST_PLATFORM_cycles) $(SCENES) $(LIBRARY)
+	$(call run,LINK)$(CC) $(LIBRARY_FLAGS) -I. -Wl,--gc-sections -DPLATFORM_MPS2 -o $@ $(COST_LINK) \
+		$(COST_DEFINE_$*) tools/cost/program.c \
+		$(COST_PLATFORM_$*) $(call objects,$(COST_FIRMWARE) $(COST_START)) $(SCENES) $(LIBRARY) $($(COST)_LIBS)
+endif
