@@ -9,9 +9,9 @@
 #include "tests/unit/geometry_world.h"
 
 /* Budgets. */
-#define DIRECTION_ULP 2.5L    /* of Q15: glint_unit_q15's own error, and rounding to whole numbers in this test */
+#define UNIT_ULP 1.58L        /* of Q15, a component, as number/fixed.h states for glint_unit_q15 */
+#define PLACE_UNITS 1.0L      /* of the coarser of the two scales: product and alignment are rounded down */
 #define COORDINATE_UNITS 6.0L /* of the last bit, as geometry/vertex_fixed.h states */
-#define PLACE_UNITS 2.0L      /* of the coarser of the two scales: product and alignment are rounded down once each */
 
 typedef struct towards_tally {
     long told, refused, aligned[3]; /* by the alignment: the light's position finer, either, the ray finer */
@@ -54,7 +54,7 @@ static void compare_towards(int finer, towards_tally *tally)
     const long double rounding = sqrtl(3) * PLACE_UNITS * unit_length / size;
     for (int k = 0; k < 3 && rounding < 0.1L; k++) {
         const long double error = fabsl(out[k] - exact[k] / size * 32768);
-        tally->worst = worse(tally->worst, error / (DIRECTION_ULP + 32768 * rounding * 1.1L));
+        tally->worst = worse(tally->worst, error / (UNIT_ULP + 32768 * rounding * 1.1L));
     }
 }
 
@@ -74,6 +74,27 @@ static void towards_a_light_in_any_scale(void **state)
     assert_true(tally.aligned[0] > 10000 && tally.aligned[1] > 10000 && tally.aligned[2] > 10000);
     assert_true(tally.refused > 100);
     expect_at_most("direction, of what is allowed", tally.worst, 1);
+}
+
+/* Where light and viewer are opposite, the half vector is taken again from finer vectors. There is none if one of these
+ * is zero, and none if they are opposite too; then the specular cosine is not written. */
+static void half_vectors_of_opposite_directions(void **state)
+{
+    static const real n[3] = {0, 32768, 0}, s[3] = {0, 0, -32768}, c[3] = {0, 0, 32768};
+    static const real nothing[3] = {0, 0, 0}, opposite[3] = {0, 0, -12345}, aside[3] = {0, 100, -12345};
+    uint32_t gap = 7;
+    (void)state;
+    /* the ray leads away from the viewer */
+    assert_false(gap_half(n, s, c, nothing, opposite, &gap));
+    assert_false(gap_half(n, s, c, opposite, nothing, &gap));
+    assert_false(gap_half(n, s, c, nothing, nothing, &gap));
+    assert_false(gap_half(n, s, c, opposite, opposite, &gap));
+    assert_int_equal(gap, 7);
+    /* s turned by 100 / 12345 to y, so that the half vector is half of that away from y; the gap is the square of the
+     * distance over 2 */
+    assert_true(gap_half(n, s, c, aside, opposite, &gap));
+    const long double away = 32768 * atanl(100 / 12345.0L) / 2, distance = sqrtl(gap);
+    assert_true(fabsl(distance - away) <= sqrtl(3) * UNIT_ULP);
 }
 
 /* A camera with the narrowest field of view at the origin, looking along -z, its near plane as near as can be. */
@@ -183,6 +204,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         LIMITS_TESTS,
         numeric_test(towards_a_light_in_any_scale),
+        cmocka_unit_test(half_vectors_of_opposite_directions),
         cmocka_unit_test(next_to_the_eye),
         cmocka_unit_test(far_from_the_eye),
     };
