@@ -74,6 +74,8 @@ const char *glint_error_text(int error)
         return "the display's stride_bytes is shorter than a row or above 1048575";
     case GLINT_ERROR_SHADING:
         return "the quality's shading is unknown";
+    case GLINT_ERROR_TOLERANCE:
+        return "the tolerance is below 0.75 codes, or asked for together with a shading";
     case GLINT_ERROR_MEMORY_SIZE:
         return "the memory is smaller than the least that the scene and display need";
     case GLINT_ERROR_MEMORY_ALIGNMENT:

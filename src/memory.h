@@ -6,7 +6,7 @@
  *     lights    one state an object and light  always
  *     buffers   one or two bands of pixels     always
  *     depth     16 bits a pixel of a band      always
- *     bands     2 bytes a band and a triangle  where there is room, and fewer than 65,535 triangles
+ *     bands     2 bytes a band and a triangle  where there is room, more than one band, fewer than 65,535 triangles
  *     vertices  12 bytes a vertex              for as many objects, in order, as there is room
  *
  * Each part begins on a multiple of 4 bytes.

@@ -119,7 +119,11 @@ static int check_display(const glint_display *display)
     if (display->buffer_count > 2 || (display->buffer_count == 2 && display->transfers == NULL)) {
         return GLINT_ERROR_DISPLAY_BUFFERS;
     }
-    /* the upper limit keeps a band's bytes within 32 bits */
+    /* the upper limit keeps a band's bytes within 32 bits; 16-bit pixels are written as such */
+    const bool halves = display->format == GLINT_RGB565 || display->format == GLINT_RGB565_SWAPPED;
+    if (halves && (display->stride_bytes & 1) != 0) {
+        return GLINT_ERROR_DISPLAY_STRIDE;
+    }
     if (display->stride_bytes != 0 && (display->stride_bytes < row_bytes || display->stride_bytes > 0xfffff)) {
         return GLINT_ERROR_DISPLAY_STRIDE;
     }
@@ -158,8 +162,12 @@ int glint_validate(const glint_scene *scene, const glint_display *display, const
     if (display->flush == NULL) {
         return GLINT_ERROR_NULL_FLUSH;
     }
-    if (quality->shading > GLINT_SHADING_FLAT) {
+    if (quality->shading > GLINT_SHADING_Q2) {
         return GLINT_ERROR_SHADING;
+    }
+    if (quality->tolerance != 0 &&
+        (quality->tolerance < GLINT_LEAST_TOLERANCE || quality->shading != GLINT_SHADING_EXACT)) {
+        return GLINT_ERROR_TOLERANCE;
     }
     if (!in_range(&scene->ambient, INT16_MAX)) {
         return GLINT_ERROR_AMBIENT;

@@ -61,6 +61,99 @@ static double clz_u4(int i, int cells)
     return i ? 3 - (int)log2(i) : 4;
 }
 
+/*
+ * Approximations of x^(-1/2) by polynomials in y = 1 - x, for a relative error that is the least possible on the range
+ * of y (E. Remez's exchange on the alternating extremes). A range begins a little below 0, for stored unit normals that
+ * rounding has made longer than 1.
+ */
+#define CURVE_CLASSES 14
+#define CURVE_LOW (-1.0 / 2048)
+
+static double curve_limit(int class, int classes)
+{
+    /* ranges of y: 2^-10, and from 2^-8.5 to 2^-1 by powers of sqrt(1/2), but for the first few, which are of no use */
+    (void)classes;
+    return class == 0 ? 65.0 : nearest(65536.0 * exp2(0.5 * (class - 1) - 7.0));
+}
+
+/* sqrt(x) p(y) - 1 */
+static double curve_error(const double c[3], double y)
+{
+    return sqrt(1.0 - y) * (c[0] + y * (c[1] + y * c[2])) - 1.0;
+}
+
+/* Solves the `count` equations sum_k c_k f_k(y_i) + (-1)^i e = 1 by elimination. */
+static void curve_through(const double node[4], int count, double c[3])
+{
+    double row[4][5];
+    for (int i = 0; i < count; i++) {
+        for (int k = 0; k + 1 < count; k++) {
+            row[i][k] = sqrt(1.0 - node[i]) * pow(node[i], k);
+        }
+        row[i][count - 1] = i & 1 ? -1.0 : 1.0;
+        row[i][count] = 1.0;
+    }
+    for (int pivot = 0; pivot < count; pivot++) {
+        for (int i = 0; i < count; i++) {
+            const double factor = row[i][pivot] / row[pivot][pivot];
+            for (int k = pivot; i != pivot && k <= count; k++) {
+                row[i][k] -= factor * row[pivot][k];
+            }
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        c[k] = k + 1 < count ? row[k][count] / row[k][k] : 0.0;
+    }
+}
+
+static void curve_fit(double high, int degree, double c[3])
+{
+    enum { GRID = 4096 };
+    const int count = degree + 2;
+    double node[4];
+    for (int i = 0; i < count; i++) {
+        node[i] = CURVE_LOW + (high - CURVE_LOW) * (0.5 - 0.5 * cos(acos(-1.0) * i / (count - 1)));
+    }
+    for (int round = 0; round < 12; round++) {
+        curve_through(node, count, c);
+        /* the greatest error between each two of its zeros */
+        int at = 0;
+        double greatest = -1.0, last = 0.0;
+        for (int i = 0; i <= GRID && at < count; i++) {
+            const double y = CURVE_LOW + (high - CURVE_LOW) * i / GRID, error = curve_error(c, y);
+            if (greatest >= 0.0 && (error < 0.0) != (last < 0.0)) {
+                at++;
+                greatest = -1.0;
+            }
+            if (at < count && fabs(error) > greatest) {
+                greatest = fabs(error);
+                node[at] = y;
+            }
+            last = error;
+        }
+    }
+}
+
+/* Four numbers: the coefficients in Q15, and the greatest error of the rounded ones in Q16, rounded up. */
+static double curve_entry(int i, int classes)
+{
+    enum { GRID = 65536 };
+    const int degree = i / 4 % 3;
+    const double high = curve_limit(i / 12, classes) / 65536.0;
+    double c[3], worst = 0.0;
+    curve_fit(high, degree, c);
+    for (int k = 0; k < 3; k++) {
+        c[k] = nearest(c[k] * 32768.0) / 32768.0;
+    }
+    if (i % 4 < 3) {
+        return c[i % 4] * 32768.0;
+    }
+    for (int k = 0; k <= GRID; k++) {
+        worst = fmax(worst, fabs(curve_error(c, CURVE_LOW + (high - CURVE_LOW) * k / GRID)));
+    }
+    return ceil(worst * 65536.0 + 0.01);
+}
+
 static double bayer(int i, int cells)
 {
     /* rank of cell (x, y) in the 8x8 ordered dither: the bits of x ^ y and y, interleaved, in reverse order */
@@ -105,6 +198,8 @@ int main(void)
     print_table("uint16_t", "glint_root_q16", 192, 193, root, 65535);
     print_power_tables(32);
     printf("\n#endif\n");
+    print_table("uint16_t", "glint_curve_limit_q16", CURVE_CLASSES, CURVE_CLASSES, curve_limit, 65535);
+    print_table("uint16_t", "glint_curves", CURVE_CLASSES, CURVE_CLASSES * 12, curve_entry, 65535);
     print_table("uint8_t", "glint_clz_u4", 16, 16, clz_u4, 255);
     print_table("uint8_t", "glint_bayer_rank", 64, 64, bayer, 63);
     return ferror(stdout) || fflush(stdout) ? 1 : 0;

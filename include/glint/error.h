@@ -58,8 +58,9 @@ typedef enum glint_error {
     GLINT_ERROR_DISPLAY_FORMAT = -62,  /* unknown pixel format */
     GLINT_ERROR_DISPLAY_DITHER = -63,  /* unknown dither */
     GLINT_ERROR_DISPLAY_BUFFERS = -64, /* more than 2 buffers, or 2 without `transfers` */
-    GLINT_ERROR_DISPLAY_STRIDE = -65,  /* stride_bytes shorter than a row */
+    GLINT_ERROR_DISPLAY_STRIDE = -65,  /* stride_bytes shorter than a row, or odd with 16-bit pixels */
     GLINT_ERROR_SHADING = -66,         /* unknown shading */
+    GLINT_ERROR_TOLERANCE = -67,       /* below GLINT_LEAST_TOLERANCE, or together with a shading */
 
     /* memory */
     GLINT_ERROR_MEMORY_SIZE = -70,     /* less than glint_*_memory_least_bytes() */

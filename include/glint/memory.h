@@ -9,7 +9,11 @@
 
 /* Upper bounds of what either backend keeps of an object, and of a light for each object. */
 #define GLINT_OBJECT_BYTES 320
-#define GLINT_LIGHT_BYTES 64
+#define GLINT_LIGHT_BYTES 80
+
+/* With a tolerance, this many words more for each object let its material keep a ramp of pixels (RGB565 without dither)
+ * and a table of its highlight: faster, the same image. */
+#define GLINT_RAMP_WORDS 769
 
 /* Bytes of a row of pixels; of a page of 8 rows for GLINT_MONO_PAGES. `format` is a constant GLINT_RGB888 ... */
 #define GLINT_ROW_BYTES(format, width_px)                                                                              \
@@ -33,7 +37,9 @@
            3) /                                                                                                        \
           4) +                                                                                                         \
      ((uint32_t)(width_px) * (uint32_t)(band_px) + 1) / 2 +                                                            \
-     ((uint32_t)(triangles) + ((uint32_t)(height_px) + (uint32_t)(band_px)-1) / (uint32_t)(band_px) + 1) / 2 +         \
+     ((uint32_t)(band_px) < (uint32_t)(height_px)                                                                      \
+          ? ((uint32_t)(triangles) + ((uint32_t)(height_px) + (uint32_t)(band_px)-1) / (uint32_t)(band_px) + 1) / 2    \
+          : 0) +                                                                                                       \
      (uint32_t)(vertices)*3)
 
 #endif

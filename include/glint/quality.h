@@ -19,15 +19,47 @@ extern "C" {
  * Gouraud: the model at each corner with its own normal, clamped to 0..1, then interpolated linearly on the screen
  * (without perspective correction). flat:    the model at the triangle's centroid (mean of the three corners, before
  * clipping) with the face normal.
+ * q1, q2:  as exact, with 1/|n| by a polynomial of first or second degree in 1 - |n|^2 (see tiers below); exact where the
+ *          triangle is beyond what they serve.
  */
 enum {
     GLINT_SHADING_EXACT = 0,   /* the model at each pixel, with the perspective-correct, renormalised normal */
     GLINT_SHADING_GOURAUD = 1, /* the model at each corner, the colour linear on the screen between */
-    GLINT_SHADING_FLAT = 2     /* the model once a triangle, at its centroid with the face normal */
+    GLINT_SHADING_FLAT = 2,    /* the model once a triangle, at its centroid with the face normal */
+    GLINT_SHADING_Q1 = 3,
+    GLINT_SHADING_Q2 = 4
 };
 
+/*
+ * With a tolerance, each triangle is drawn by the cheapest tier whose proven error stays within it:
+ *
+ * unlit:   no light reaches it: one colour, the ambient term.
+ * flat:    one colour.
+ * Gouraud: each light's cosine N.s linear over the triangle, clamped at each pixel, times a constant for 1/|N|.
+ * q1, q2:  1/|N| by a polynomial of first or second degree in 1 - |N|^2.
+ * exact:   N normalised at each pixel.
+ *
+ * The error counts against the model in real numbers with the perspective-correct, renormalised normal, in codes of
+ * 1/255 of a channel before the display's own quantisation; 1/2 of it is the rounding to whole codes. The formulas and
+ * the bounds are in lighting/bound.h.
+ */
+enum {
+    GLINT_TIER_UNLIT = 0,
+    GLINT_TIER_FLAT = 1,
+    GLINT_TIER_GOURAUD = 2,
+    GLINT_TIER_Q1 = 3,
+    GLINT_TIER_Q2 = 4,
+    GLINT_TIER_EXACT = 5,
+    GLINT_TIERS = 6
+};
+
+/* A tolerance in codes, a constant of 0.75..15.9; with the default shading only. */
+#define GLINT_CODES(codes) ((uint8_t)((codes)*16))
+#define GLINT_LEAST_TOLERANCE 12
+
 typedef struct glint_quality {
-    uint8_t shading; /* GLINT_SHADING_EXACT ... */
+    uint8_t shading;   /* GLINT_SHADING_EXACT ... */
+    uint8_t tolerance; /* 1/16 code: GLINT_LEAST_TOLERANCE..255; 0: none, every triangle by `shading` */
 } glint_quality;
 
 /* Counts over one frame. A triangle counts once in `triangles` and once in one of the five that follow. */
@@ -41,9 +73,16 @@ typedef struct glint_report {
     uint32_t triangles_clipped;    /* of those drawn: cut at the near plane or the guard band */
     uint32_t vertices_transformed; /* more than the scene has when the memory could not hold them */
     uint32_t pixels_shaded;        /* that passed the depth test */
-    uint32_t pixels_specular;      /* of those: with a specular term evaluated (exact shading) */
+    uint32_t pixels_specular;      /* of those: with a specular term evaluated (tier exact), or above 0 */
     uint32_t bands;
     uint32_t memory_used_bytes;
+    /* what shading came to; each part of a clipped triangle counts */
+    uint32_t tier_triangles[GLINT_TIERS];
+    uint32_t tier_pixels[GLINT_TIERS];
+    uint32_t lights_folded;      /* sums over triangles: lights that share one interpolant, */
+    uint32_t lights_culled;      /* and lights that do not reach any of it */
+    uint32_t specular_triangles; /* on which a highlight may show */
+    uint16_t promise_q8;         /* greatest error promised for a pixel, 1/256 code; 65535: none is promised */
 } glint_report;
 
 #ifdef __cplusplus

@@ -16,6 +16,7 @@
 #include "raster/attribute_float.h"
 #include "raster/bands.h"
 #include "raster/depth.h"
+#include "raster/field_float.h"
 #include "validate.h"
 
 #include "lighting/terms.inc"
@@ -24,7 +25,11 @@
 
 #include "geometry/clip.inc"
 
+#include "lighting/tier.inc"
+
 #include "lighting/shade.inc"
+
+#include "lighting/span.inc"
 
 #include "render.inc"
 

@@ -51,10 +51,16 @@ static uint32_t threshold_q15(const glint_target *target, int16_t x, int16_t y)
     return (uint32_t)flash_u8(&glint_bayer_rank[(y & 7) * 8 + (x & 7)]) * 512 + 256;
 }
 
-static uint16_t rgb565(const glint_shade *shade, uint32_t threshold)
+static uint16_t rgb565(uint8_t format, const glint_shade *shade, uint32_t threshold)
 {
-    return (uint16_t)(level(shade->r_q15, 31, threshold) << 11 | level(shade->g_q15, 63, threshold) << 5 |
-                      level(shade->b_q15, 31, threshold));
+    const uint32_t pixel = level(shade->r_q15, 31, threshold) << 11 | level(shade->g_q15, 63, threshold) << 5 |
+                           level(shade->b_q15, 31, threshold);
+    return (uint16_t)(format == GLINT_RGB565 ? pixel : pixel << 8 | pixel >> 8);
+}
+
+static bool is_rgb565(const glint_target *target)
+{
+    return target->format == GLINT_RGB565 || target->format == GLINT_RGB565_SWAPPED;
 }
 
 static void pack_pixel(const glint_target *target, uint8_t *row, int16_t x, int16_t y, const glint_shade *shade)
@@ -69,14 +75,9 @@ static void pack_pixel(const glint_target *target, uint8_t *row, int16_t x, int1
         break;
     }
     case GLINT_RGB565:
-    case GLINT_RGB565_SWAPPED: {
-        uint16_t pixel = rgb565(shade, threshold);
-        if (target->format == GLINT_RGB565_SWAPPED) {
-            pixel = (uint16_t)(pixel << 8 | pixel >> 8);
-        }
-        memcpy(row + (size_t)x * 2, &pixel, sizeof pixel);
+    case GLINT_RGB565_SWAPPED:
+        ((uint16_t *)(void *)row)[x] = rgb565(target->format, shade, threshold);
         break;
-    }
     case GLINT_GREY8:
         row[x] = (uint8_t)level(luma_q15(shade), 255, threshold);
         break;
@@ -106,17 +107,76 @@ static uint8_t *row_of(const glint_target *target, int16_t y)
 void glint_pack(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade, uint16_t count)
 {
     uint8_t *row = row_of(target, y);
+    if (is_rgb565(target) && target->dither == GLINT_DITHER_NONE) {
+        uint16_t *pixel = (uint16_t *)(void *)row + x;
+        for (uint16_t i = 0; i < count; i++) {
+            pixel[i] = rgb565(target->format, &shade[i], 1 << 14);
+        }
+        return;
+    }
     for (uint16_t i = 0; i < count; i++) {
         pack_pixel(target, row, (int16_t)(x + (int16_t)i), y, &shade[i]);
     }
 }
 
+bool glint_pack_solid(const glint_target *target)
+{
+    return is_rgb565(target) && target->dither == GLINT_DITHER_NONE;
+}
+
+uint16_t glint_pack_pixel(const glint_target *target, const glint_shade *shade)
+{
+    return rgb565(target->format, shade, 1 << 14);
+}
+
+uint16_t *glint_pack_at(const glint_target *target, int16_t x, int16_t y)
+{
+    return (uint16_t *)(void *)row_of(target, y) + x;
+}
+
+void glint_pack_fill(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade, uint16_t count)
+{
+    uint8_t *row = row_of(target, y);
+    for (uint16_t i = 0; i < count; i++) {
+        pack_pixel(target, row, (int16_t)(x + (int16_t)i), y, shade);
+    }
+}
+
+void glint_fill_words(uint32_t *to, uint32_t word, uint32_t count)
+{
+    uint32_t *const end = to + count;
+    while (end - to >= 8) {
+        to[0] = word;
+        to[1] = word;
+        to[2] = word;
+        to[3] = word;
+        to[4] = word;
+        to[5] = word;
+        to[6] = word;
+        to[7] = word;
+        to += 8;
+    }
+    while (to != end) {
+        *to++ = word;
+    }
+}
+
+/* The dither has a period of 8 rows and columns: 8 columns of each row are packed, the rest is copied. */
 void glint_pack_clear(const glint_target *target, uint16_t width, uint16_t rows, const glint_shade *shade)
 {
     const bool pages = target->format == GLINT_MONO_PAGES;
     const size_t bytes = (size_t)glint_row_bytes(target->format, width);
-    /* the dither has a period of 8 rows and columns: 8 rows are packed, 8 columns each, and copied */
     const size_t period = (size_t)glint_row_bytes(target->format, 8);
+    const uint16_t first = width < 8 ? width : 8;
+    if (glint_pack_solid(target) && (target->stride_bytes & 3) == 0) {
+        const uint32_t pixel = glint_pack_pixel(target, shade);
+        for (uint16_t y = 0; y < rows; y++) {
+            uint8_t *row = target->pixels + (size_t)y * (size_t)target->stride_bytes;
+            glint_fill_words((uint32_t *)(void *)row, pixel << 16 | pixel, (uint32_t)width / 2);
+            ((uint16_t *)(void *)row)[width - 1] = (uint16_t)pixel;
+        }
+        return;
+    }
     if (pages) {
         memset(target->pixels, 0,
                (size_t)((rows + 7u) / 8) * (size_t)target->stride_bytes); /* rows below the display's last stay 0 */
@@ -128,13 +188,10 @@ void glint_pack_clear(const glint_target *target, uint16_t width, uint16_t rows,
             memcpy(row, row - 8 * (size_t)target->stride_bytes, bytes);
             continue;
         }
-        const uint16_t first = width < 8 ? width : 8;
         if (first < 8 && !pages) {
             memset(row, 0, bytes); /* the half byte that an odd number of 4-bit pixels leaves */
         }
-        for (uint16_t x = 0; x < first; x++) {
-            pack_pixel(target, row, (int16_t)x, display_y, shade);
-        }
+        glint_pack_fill(target, 0, display_y, shade, first);
         if (pages && (display_y & 7) != 7 && y + 1 != rows) {
             continue; /* the page is copied when it is complete */
         }

@@ -10,6 +10,7 @@
 #ifndef GLINT_DISPLAY_PACK_H
 #define GLINT_DISPLAY_PACK_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /* A shaded colour: each channel Q15, 0..32768. */
@@ -28,7 +29,20 @@ typedef struct glint_target {
 /* Writes `count` pixels from (x, y) to the right; y is a display row within the band. */
 void glint_pack(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade, uint16_t count);
 
+/* The same with one colour. */
+void glint_pack_fill(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade, uint16_t count);
+
+/*
+ * Where a colour gives the same 16 bits at every pixel (RGB565 without dither), spans may write them themselves.
+ */
+bool glint_pack_solid(const glint_target *target);
+uint16_t glint_pack_pixel(const glint_target *target, const glint_shade *shade);
+uint16_t *glint_pack_at(const glint_target *target, int16_t x, int16_t y);
+
 /* Fills `rows` whole rows of `width` pixels with one colour. */
 void glint_pack_clear(const glint_target *target, uint16_t width, uint16_t rows, const glint_shade *shade);
+
+/* Sets `count` words. */
+void glint_fill_words(uint32_t *to, uint32_t word, uint32_t count);
 
 #endif

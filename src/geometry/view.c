@@ -89,6 +89,13 @@ void glint_view_set_up(glint_view *view, const glint_camera *camera, uint16_t wi
     view->inverse_focal_px = glint_scaled_inverse(view->focal_px);
 }
 
+uint32_t glint_view_pixel_q18(const glint_view *view)
+{
+    /* 170 degrees and one row: 1 / focal is below 24; no angle is above pi */
+    const int64_t angle = shift_round64(view->inverse_focal_px.m, 18 - view->inverse_focal_px.f) + 1;
+    return angle > (int64_t)4 << 18 ? (uint32_t)4 << 18 : (uint32_t)angle;
+}
+
 /* Three rows of 64-bit entries, brought to int32 with a common number of fractional bits. */
 static void scale_row(const int64_t linear_q46[3], int64_t origin_q46, int fraction_bits, int fraction, int32_t row[4])
 {

@@ -51,6 +51,9 @@ typedef struct glint_view {
 /* Camera must be valid (see glint_camera_check). */
 void glint_view_set_up(glint_view *view, const glint_camera *camera, uint16_t width_px, uint16_t height_px);
 
+/* The angle between the rays through two neighbouring pixels is at most 1 / focal_px; radians, rounded up, Q18. */
+uint32_t glint_view_pixel_q18(const glint_view *view);
+
 /* GLINT_OK or the error of the camera's directions; the ranges of its fields have been checked. */
 int glint_camera_check(const glint_camera *camera);
 

@@ -15,6 +15,8 @@
 
 #include "display/pack.h"
 #include "geometry/view.h"
+#include "lighting/bound.h"
+#include "lighting/ramp.h"
 
 typedef int32_t real;
 
@@ -75,6 +77,28 @@ static inline glint_shade light_finish(const light_sum *sum)
     return shade;
 }
 
+/* A share of the ramp, and a cosine in Q15, as the backend's numbers. */
+static inline real light_share(uint16_t q15)
+{
+    return q15;
+}
+
+static inline int32_t cosine_q15(real cosine)
+{
+    return cosine;
+}
+
+/* |a - b|^2 in Q16 of two unit vectors, rounded up, at most 4. */
+static inline uint32_t chord_q16(const real a[3], const real b[3])
+{
+    uint32_t square = 0;
+    for (int k = 0; k < 3; k++) {
+        const uint32_t d = magnitude32(a[k] - b[k]) >> 1; /* Q14 */
+        square += d * d + d;                              /* < 2^30: the half that was dropped is within d */
+    }
+    return (square + 4095) >> 12;
+}
+
 static inline bool unit(const real v[3], real out[3])
 {
     return glint_unit_q15(v, out);
@@ -103,28 +127,24 @@ static inline uint32_t gap_between(const real a[3], const real b[3])
     return sum;
 }
 
-/* r = 2 (n.s) n - s against c; rounding of n and s takes r beyond length 1 by less than 16 units. */
-static inline uint32_t gap_mirror(const real n[3], const real s[3], const real c[3], real cosine_ns)
+/* r = 2 (n.s) n - s */
+static inline void mirrored(const real n[3], const real s[3], real cosine_ns, real r[3])
 {
-    real r[3];
     for (int k = 0; k < 3; k++) {
         r[k] = ((cosine_ns * n[k] + (1 << 13)) >> 14) - s[k];
         GLINT_TRACE("unit vector q15", n[k]);
         GLINT_TRACE("unit vector q15", s[k]);
         GLINT_TRACE("mirrored direction q15", r[k]);
     }
-    return gap_between(r, c);
 }
 
 /*
- * h along s + c against n; false where s = -c within 2^-24. Rounding of s and c turns h by as much more as they cancel:
- * where their sum is short, it is taken again in Q28 from the vectors that they were made of, `towards` and -`ray`.
+ * h along s + c; false where s = -c within 2^-24. Rounding of s and c turns h by as much more as they cancel: where
+ * their sum is short, it is taken again in Q28 from the vectors that they were made of, `towards` and -`ray`.
  */
-static inline bool gap_half(const real n[3], const real s[3], const real c[3], const real towards[3], const real ray[3],
-                            uint32_t *gap)
+static inline bool half_vector(const real s[3], const real c[3], const real towards[3], const real ray[3], real h[3])
 {
     real sum[3] = {s[0] + c[0], s[1] + c[1], s[2] + c[2]};
-    real h[3];
     if ((magnitude32(sum[0]) | magnitude32(sum[1]) | magnitude32(sum[2])) < (uint32_t)1 << 14) {
         real fine_s[3], fine_ray[3];
         if (!glint_unit_q28(towards, fine_s) || !glint_unit_q28(ray, fine_ray)) {
@@ -137,13 +157,78 @@ static inline bool gap_half(const real n[3], const real s[3], const real c[3], c
             return false;
         }
     }
-    (void)unit(sum, h); /* not zero */
-    *gap = gap_between(n, h);
-    return true;
+    return unit(sum, h); /* not zero */
 }
 
 typedef uint32_t light_gap;
 typedef uint16_t light_exponent;
+
+#define WIDE_GAP_ONE ((wide_gap)1 << 28)
+#define LIGHT_GAP_ONE ((light_gap)1 << 31)
+
+/* A gap along a row of pixels: quadratic, Q28, for gaps up to 2 and the sums of them. */
+typedef struct gap_row {
+    int32_t value, step, bend;
+} gap_row;
+
+typedef int32_t wide_gap;
+
+/* d^2 / 2 for a difference of unit vectors (Q15): Q28. */
+static inline uint32_t wide_square(int32_t d)
+{
+    const uint32_t magnitude = magnitude32(d);
+    return magnitude > 65535 ? (uint32_t)1 << 29 : (magnitude * magnitude) >> 3;
+}
+
+/* |a - b|^2 / 2 of two unit vectors, all of it: at most 2 and what rounding adds. */
+static inline wide_gap wide_gap_between(const real a[3], const real b[3])
+{
+    return (wide_gap)(wide_square(a[0] - b[0]) + wide_square(a[1] - b[1]) + wide_square(a[2] - b[2]));
+}
+
+static inline uint32_t wide_gap_q31(wide_gap gap)
+{
+    return gap >= (int32_t)1 << 28 ? LIGHT_GAP_ONE : (uint32_t)gap << 3;
+}
+
+static inline void gap_row_constant(gap_row *row, wide_gap first)
+{
+    row->value = first;
+    row->step = row->bend = 0;
+}
+
+/* Through three gaps 2^log2 pixels apart: with a = first - 2 second + third, the value at pixel i is first + i (second
+ * - first - a / 2) / 2^log2 + i^2 a / 2^(2 log2 + 1). */
+static inline void gap_row_through(gap_row *row, wide_gap first, wide_gap second, wide_gap third, int log2)
+{
+    const int32_t a = first - 2 * second + third;
+    row->value = first;
+    row->bend = shift_round32(a, 2 * log2);
+    row->step = shift_round32(2 * (second - first) - a, log2 + 1) + row->bend / 2;
+}
+
+static inline wide_gap gap_row_next(gap_row *row)
+{
+    const int32_t value = row->value;
+    row->value += row->step;
+    row->step += row->bend;
+    return value;
+}
+
+static inline uint32_t wide_gap_q28(wide_gap gap)
+{
+    return gap > 0 ? (uint32_t)gap : 0;
+}
+
+static inline light_gap gap_from_q28(uint32_t gap_q28)
+{
+    return gap_q28 >= (uint32_t)1 << 28 ? LIGHT_GAP_ONE : gap_q28 << 3;
+}
+
+static inline uint16_t factor_q15(real factor)
+{
+    return (uint16_t)factor;
+}
 
 static inline light_exponent exponent_from(uint16_t exponent_q4)
 {
@@ -223,6 +308,27 @@ static inline bool light_towards(const light_place *light, const surface *at, re
         whole |= magnitude32(finer >= 0 ? at->ray[k] : product);
     }
     return difference > whole >> 15 && unit(v, out);
+}
+
+/* Folding of lights into one vector: the sum of unit vectors by their shares of a ramp, Q15 (at most 1) ... */
+static inline void light_fold(real sum[3], const real towards[3], real share)
+{
+    for (int k = 0; k < 3; k++) {
+        sum[k] += (towards[k] * share + (1 << 14)) >> 15;
+    }
+}
+
+/* ... or by each channel of their colour, Q13. Products of at most 4 in all (see lit_material.tiers) keep it below
+ * 2^15.
+ */
+static inline void light_fold_channels(real sum[3][3], const real towards[3], const light_product *product)
+{
+    for (int c = 0; c < 3; c++) {
+        const int32_t factor = (int32_t)(product->q15[c] >> 2); /* <= 2^14 */
+        for (int k = 0; k < 3; k++) {
+            sum[c][k] += (towards[k] * factor + (1 << 14)) >> 15;
+        }
+    }
 }
 
 #endif

@@ -7,6 +7,8 @@
 
 #include "display/pack.h"
 #include "geometry/view.h"
+#include "lighting/bound.h"
+#include "lighting/ramp.h"
 #include "number/real.h"
 
 typedef float real;
@@ -62,6 +64,22 @@ static inline glint_shade light_finish(const light_sum *sum)
     return shade;
 }
 
+static inline real light_share(uint16_t q15)
+{
+    return (float)q15 * (1.0f / 32768);
+}
+
+static inline int32_t cosine_q15(real cosine)
+{
+    return (int32_t)(cosine * 32768.0f);
+}
+
+static inline uint32_t chord_q16(const real a[3], const real b[3])
+{
+    const float x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+    return (uint32_t)((x * x + y * y + z * z) * 65536.0f + 0.999f);
+}
+
 static inline bool unit(const real v[3], real out[3])
 {
     return glint_unit(v, out);
@@ -78,29 +96,80 @@ static inline float gap_between(const real a[3], const real b[3])
     return 0.5f * (x * x + y * y + z * z);
 }
 
-static inline float gap_mirror(const real n[3], const real s[3], const real c[3], real cosine_ns)
+static inline void mirrored(const real n[3], const real s[3], real cosine_ns, real r[3])
 {
     const float twice = 2.0f * cosine_ns;
-    const real r[3] = {twice * n[0] - s[0], twice * n[1] - s[1], twice * n[2] - s[2]};
-    return gap_between(r, c);
+    for (int k = 0; k < 3; k++) {
+        r[k] = twice * n[k] - s[k];
+    }
 }
 
-static inline bool gap_half(const real n[3], const real s[3], const real c[3], const real towards[3], const real ray[3],
-                            float *gap)
+static inline bool half_vector(const real s[3], const real c[3], const real towards[3], const real ray[3], real h[3])
 {
     (void)towards; /* s and c are as precise */
     (void)ray;
     const real sum[3] = {s[0] + c[0], s[1] + c[1], s[2] + c[2]};
-    real h[3];
-    if (cosine_of(sum, sum) < 1e-12f || !unit(sum, h)) {
-        return false;
-    }
-    *gap = gap_between(n, h);
-    return true;
+    return cosine_of(sum, sum) >= 1e-12f && unit(sum, h);
 }
 
 typedef float light_gap;
 typedef float light_exponent;
+
+#define WIDE_GAP_ONE 1.0f
+#define LIGHT_GAP_ONE 1.0f
+
+typedef float wide_gap;
+
+static inline wide_gap wide_gap_between(const real a[3], const real b[3])
+{
+    return gap_between(a, b);
+}
+
+static inline uint32_t wide_gap_q31(wide_gap gap)
+{
+    return gap >= 1.0f ? (uint32_t)1 << 31 : (uint32_t)(gap * 2147483648.0f);
+}
+
+typedef struct gap_row {
+    float value, step, bend;
+} gap_row;
+
+static inline void gap_row_constant(gap_row *row, wide_gap first)
+{
+    row->value = first;
+    row->step = row->bend = 0.0f;
+}
+
+static inline void gap_row_through(gap_row *row, wide_gap first, wide_gap second, wide_gap third, int log2)
+{
+    const float a = first - 2.0f * second + third, part = 1.0f / (float)(1 << log2);
+    row->value = first;
+    row->bend = a * part * part;
+    row->step = (second - first - 0.5f * a) * part + 0.5f * row->bend;
+}
+
+static inline wide_gap gap_row_next(gap_row *row)
+{
+    const float value = row->value;
+    row->value += row->step;
+    row->step += row->bend;
+    return value;
+}
+
+static inline uint32_t wide_gap_q28(wide_gap gap)
+{
+    return gap > 0.0f ? (uint32_t)(gap * 268435456.0f) : 0;
+}
+
+static inline light_gap gap_from_q28(uint32_t gap_q28)
+{
+    return gap_q28 >= (uint32_t)1 << 28 ? 1.0f : (float)gap_q28 * (1.0f / 268435456);
+}
+
+static inline uint16_t factor_q15(float factor)
+{
+    return (uint16_t)(factor * 32768.0f + 0.5f);
+}
 
 static inline light_exponent exponent_from(uint16_t exponent_q4)
 {
@@ -154,6 +223,20 @@ static inline bool light_towards(const light_place *light, const surface *at, re
     }
     const float limit = 1.0f / 32768;
     return cosine_of(v, v) > cosine_of(at->ray, at->ray) * (limit * limit) && unit(v, out);
+}
+
+static inline void light_fold(real sum[3], const real towards[3], real share)
+{
+    for (int k = 0; k < 3; k++) {
+        sum[k] += towards[k] * share;
+    }
+}
+
+static inline void light_fold_channels(real sum[3][3], const real towards[3], const light_product *product)
+{
+    for (int c = 0; c < 3; c++) {
+        light_fold(sum[c], towards, product->channel[c]);
+    }
 }
 
 #endif

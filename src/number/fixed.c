@@ -53,6 +53,11 @@ static uint32_t inverse_root_q16(uint32_t s_q30)
 
 #endif
 
+uint32_t glint_inverse_root_q16(uint32_t x_q30)
+{
+    return inverse_root_q16(x_q30);
+}
+
 bool glint_unit_q15(const int32_t v[3], int32_t unit[3])
 {
     uint32_t x = magnitude32(v[0]), y = magnitude32(v[1]), z = magnitude32(v[2]);
@@ -188,6 +193,17 @@ void glint_sine_cosine_q30(uint16_t angle_turn16, int32_t *sine_q30, int32_t *co
     const int32_t s = (int32_t)(folded ? cosine : sine), c = (int32_t)(folded ? sine : cosine);
     *sine_q30 = quadrant == 0 ? s : quadrant == 1 ? c : quadrant == 2 ? -s : -c;
     *cosine_q30 = quadrant == 0 ? c : quadrant == 1 ? -s : quadrant == 2 ? -c : s;
+}
+
+uint32_t glint_square_root_u32(uint32_t x)
+{
+    if (x == 0) {
+        return 0;
+    }
+    /* s = x 2^up in [2^30, 2^32): sqrt(s / 2^30) = (s / 2^30) / sqrt(s / 2^30) */
+    const int up = clz32(x) & ~1;
+    const uint32_t s = x << up;
+    return ((s >> 16) * inverse_root_q16(s)) >> (15 + up / 2);
 }
 
 uint32_t glint_square_root_u64(uint64_t x)

@@ -18,6 +18,9 @@
  */
 uint32_t glint_reciprocal_q31(uint32_t x_q31);
 
+/* 1/sqrt(x) for x of 2^30..2^32 - 1 in Q30: 32768..65535 in Q16, 65535 standing for 1. See fixed.c for the error. */
+uint32_t glint_inverse_root_q16(uint32_t x_q30);
+
 /*
  * The unit vector along v, each component in Q15 (32768 is 1). v is any vector of int32 components, INT32_MIN included,
  * in any scale; `unit` may be `v`. Returns false, with `unit` untouched, for the zero vector. A zero component stays
@@ -68,6 +71,9 @@ uint16_t glint_power_q15(uint32_t gap_q31, uint16_t exponent_q4);
 
 /* Sine and cosine of an angle in 1/65536 turn, Q30. Error at most 2 ulp of Q30. */
 void glint_sine_cosine_q30(uint16_t angle_turn16, int32_t *sine_q30, int32_t *cosine_q30);
+
+/* sqrt(x), too small by at most 2^-14 of it and 1. One reciprocal root, for where a bound is enough. */
+uint32_t glint_square_root_u32(uint32_t x);
 
 /* floor(sqrt(x)), exact. */
 uint32_t glint_square_root_u64(uint64_t x);

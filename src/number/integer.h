@@ -203,6 +203,15 @@ static inline int64_t shift_round64(int64_t value, int shift)
     return (value + ((int64_t)1 << (-shift - 1))) >> -shift;
 }
 
+/* value 2^-down, rounded to nearest, halves up, modulo 2^32; down > -32; 0 when every bit is shifted out. */
+static inline int32_t shift_round32(int32_t value, int down)
+{
+    if (down <= 0) {
+        return (int32_t)((uint32_t)value << -down);
+    }
+    return down > 31 ? 0 : ((value >> (down - 1)) + 1) >> 1;
+}
+
 static inline int32_t saturate_s32(int64_t value)
 {
     return value > INT32_MAX ? INT32_MAX : value < INT32_MIN ? INT32_MIN : (int32_t)value;

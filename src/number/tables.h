@@ -35,6 +35,11 @@ extern const uint16_t glint_reciprocal_seed_q15[64]; /* 1/x at the middle of [1 
 extern const uint16_t glint_log_slope_q14[((size_t)1 << GLINT_POWER_CELLS_LOG2) + 1];
 /* 2^(-i / cells) */
 extern const uint16_t glint_exp_fraction_q15[((size_t)1 << GLINT_POWER_CELLS_LOG2) + 1];
+/* x^(-1/2) by polynomials in y = 1 - x, -2^-11 <= y <= limit, for each limit of degree 0, 1 and 2: three coefficients
+ * in Q15 and the greatest relative error in Q16, see lighting/bound.h */
+#define GLINT_CURVE_CLASSES 14
+extern const uint16_t glint_curve_limit_q16[GLINT_CURVE_CLASSES];
+extern const uint16_t glint_curves[(size_t)GLINT_CURVE_CLASSES * 3 * 4];
 extern const uint8_t glint_clz_u4[16];     /* leading zeros of four bits */
 extern const uint8_t glint_bayer_rank[64]; /* 8x8 ordered dither, row by row, 0..63 */
 

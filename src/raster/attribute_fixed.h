@@ -24,7 +24,7 @@ static inline inverse_scale inverse_prepare(const glint_gradients *gradients)
 {
     uint32_t any = 1;
     for (int i = 0; i < 3; i++) {
-        any |= (uint32_t)(gradients->corner[i].depth_q30 - GLINT_DEPTH_BIAS);
+        any |= (uint32_t)(gradients->corner[i]->depth_q30 - GLINT_DEPTH_BIAS);
     }
     return clz32(any) - 2;
 }

@@ -62,9 +62,8 @@ static inline uint16_t attribute_to_colour(real attribute)
 static inline void attribute_plane_set_up(attribute_plane *plane, const glint_gradients *gradients, const real v[3])
 {
     const float d1 = v[1] - v[0], d2 = v[2] - v[0];
-    const int bits = gradients->bits;
-    plane->step_x = float_from_scaled(gradients->x[0], bits) * d1 + float_from_scaled(gradients->x[1], bits) * d2;
-    plane->step_y = float_from_scaled(gradients->y[0], bits) * d1 + float_from_scaled(gradients->y[1], bits) * d2;
+    plane->step_x = float_from_scaled(gradients->x[0], 30) * d1 + float_from_scaled(gradients->x[1], 30) * d2;
+    plane->step_y = float_from_scaled(gradients->y[0], 30) * d1 + float_from_scaled(gradients->y[1], 30) * d2;
     plane->value = v[0] + (plane->step_x * (float)gradients->offset_x + plane->step_y * (float)gradients->offset_y) *
                               (1.0f / (float)GLINT_FINE);
 }

@@ -6,33 +6,37 @@
 #ifndef GLINT_RASTER_DEPTH_H
 #define GLINT_RASTER_DEPTH_H
 
+#include <stddef.h>
+
 #include "raster/plane.h"
 
 /*
- * Finds the next run of pixels in x..x_last of a depth row that the plane's values pass, and writes them. `*depth_q30`
- * is the value at x and moves along. Returns the run's length and sets *x_run to its first pixel; 0 when none is left.
- * *x ends behind the run.
+ * Finds the next run of pixels of a depth row, from *at to `end`, that the plane's values pass, and writes them.
+ * *depth_q30 is the value at *at, and both move along to behind the run. Returns the run's first pixel, NULL when none
+ * is left.
  */
-static inline uint16_t glint_depth_run(uint16_t *row, uint32_t *depth_q30, uint32_t step, int16_t *x, int16_t x_last,
-                                       int16_t *x_run)
+static inline uint16_t *glint_depth_run(uint16_t **at, const uint16_t *end, uint32_t *depth_q30, uint32_t step)
 {
-    uint32_t value = *depth_q30;
-    int16_t i = *x;
-    while (i <= x_last && (uint16_t)(value >> GLINT_DEPTH_SHIFT) <= row[i]) {
-        GLINT_TRACE("interpolated depth q30", value);
-        value += step;
-        i++;
+    uint16_t *pixel = *at, *first;
+    uint32_t depth = *depth_q30;
+    while (pixel != end && depth >> GLINT_DEPTH_SHIFT <= *pixel) {
+        GLINT_TRACE("interpolated depth q30", depth);
+        depth += step;
+        pixel++;
     }
-    *x_run = i;
-    while (i <= x_last && (uint16_t)(value >> GLINT_DEPTH_SHIFT) > row[i]) {
-        GLINT_TRACE("interpolated depth q30", value);
-        row[i] = (uint16_t)(value >> GLINT_DEPTH_SHIFT);
-        value += step;
-        i++;
+    first = pixel;
+    while (pixel != end) {
+        const uint32_t nearness = depth >> GLINT_DEPTH_SHIFT;
+        if (nearness <= *pixel) {
+            break;
+        }
+        GLINT_TRACE("interpolated depth q30", depth);
+        *pixel++ = (uint16_t)nearness;
+        depth += step;
     }
-    *depth_q30 = value;
-    *x = i;
-    return (uint16_t)(i - *x_run);
+    *at = pixel;
+    *depth_q30 = depth;
+    return pixel == first ? NULL : first;
 }
 
 #endif

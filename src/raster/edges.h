@@ -48,12 +48,21 @@ typedef struct glint_box {
     int16_t x_first, x_last, y_first, y_last;
 } glint_box;
 
+/*
+ * A triangle has one or two edges on its left and on its right. Of two, the upper one bounds the rows above the corner
+ * at which they meet and the lower one those below; a row through that corner may take either, since they agree there.
+ * Rows are those whose centres lie at or below the highest corner and above the lowest: so a horizontal edge needs no
+ * test of its own, and neither does a single corner, which its right edge leaves out.
+ */
 typedef struct glint_edges {
-    uint32_t value[3]; /* E' of the edge opposite corner i at pixel (box.x_first, box.y_first), modulo 2^32 */
-    int32_t step_x[3]; /* E' per pixel to the right (-dy) */
-    int32_t step_y[3]; /* E' per pixel down (dx) */
-    glint_box box;     /* pixels that the triangle may cover, within the display */
-    uint8_t order[3];  /* corner i of the set-up is corner order[i] of the caller: clockwise */
+    uint32_t value[3];         /* E' of the edge opposite corner i at pixel (box.x_first, box.y_first), modulo 2^32 */
+    int32_t step_x[3];         /* E' per pixel to the right (-dy) */
+    int32_t step_y[3];         /* E' per pixel down (dx) */
+    glint_box box;             /* pixels that the triangle may cover, within the display */
+    uint8_t order[3];          /* corner i of the set-up is corner order[i] of the caller: clockwise */
+    uint8_t left[2], right[2]; /* upper and lower edge of each side */
+    bool bend_left;            /* the side that has two */
+    int16_t row_of_bend;       /* first row of the lower one; INT16_MAX: there is none */
 } glint_edges;
 
 /* Twice the signed area in squared sub-pixels: positive for corners clockwise on the display. Exact. */
@@ -71,20 +80,80 @@ int16_t glint_last_pixel(int32_t subpixels, uint16_t size_px);
  */
 void glint_edges_set_up(glint_edges *edges, const glint_point corner[3], bool clockwise, glint_box box);
 
+/* One end of a row: E' of its edge there, its growth for a pixel into the triangle (> 0) and for a row down. */
+typedef struct glint_side {
+    uint32_t value, inwards, down;
+} glint_side;
+
 /* Runs over the covered pixels of a triangle, row by row. */
 typedef struct glint_spans {
+    glint_side left, right;
+    int16_t x_left, x_right; /* the pixels at which the sides' values are taken */
+    int16_t x_first, x_last; /* the triangle's box */
+    int16_t y, y_last, row_of_bend;
     const glint_edges *edges;
-    uint32_t left[2], right[2];          /* E' of the edges that bound on the left at x_left, on the right at x_right */
-    uint8_t left_edge[2], right_edge[2]; /* 3: none */
-    uint8_t flat_edge;                   /* the horizontal edge, or 3 */
-    uint32_t flat;
-    int16_t x_left, x_right, y, y_last;
 } glint_spans;
 
 /* Rows y_first..y_last of the triangle's box, no row outside of it. */
 void glint_spans_begin(glint_spans *spans, const glint_edges *edges, int16_t y_first, int16_t y_last);
 
-/* The next row with covered pixels: x_first..x_last of row y. False after the last. */
-bool glint_spans_next(glint_spans *spans, int16_t *y, int16_t *x_first, int16_t *x_last);
+/* Takes up the lower of two edges. */
+void glint_spans_bend(glint_spans *spans);
+
+/*
+ * The next row with covered pixels: x_first..x_last of row y. False after the last. The ends move by as many pixels as
+ * the edges do from row to row, so a triangle takes no more steps than its box has columns on either side, and no
+ * division.
+ */
+static inline bool glint_spans_next(glint_spans *spans, int16_t *y, int16_t *x_first, int16_t *x_last)
+{
+    while (spans->y <= spans->y_last) {
+        if (spans->y == spans->row_of_bend) {
+            glint_spans_bend(spans);
+        }
+        int32_t x_left = spans->x_left, x_right = spans->x_right;
+        uint32_t value = spans->left.value, inwards = spans->left.inwards;
+        if ((int32_t)value < 0) {
+            const int32_t beyond = (int32_t)spans->x_last + 1;
+            while (x_left < beyond && (int32_t)value < 0) {
+                value += inwards;
+                x_left++;
+            }
+        } else {
+            const int32_t outermost = spans->x_first;
+            while (x_left > outermost && (int32_t)(value - inwards) >= 0) {
+                value -= inwards;
+                x_left--;
+            }
+        }
+        spans->left.value = value + spans->left.down;
+        spans->x_left = (int16_t)x_left;
+        value = spans->right.value;
+        inwards = spans->right.inwards;
+        if ((int32_t)value < 0) {
+            const int32_t beyond = (int32_t)spans->x_first - 1;
+            while (x_right > beyond && (int32_t)value < 0) {
+                value += inwards;
+                x_right--;
+            }
+        } else {
+            const int32_t outermost = spans->x_last;
+            while (x_right < outermost && (int32_t)(value - inwards) >= 0) {
+                value -= inwards;
+                x_right++;
+            }
+        }
+        spans->right.value = value + spans->right.down;
+        spans->x_right = (int16_t)x_right;
+        *y = spans->y;
+        spans->y = (int16_t)(spans->y + 1);
+        if (x_left <= x_right) {
+            *x_first = (int16_t)x_left;
+            *x_last = (int16_t)x_right;
+            return true;
+        }
+    }
+    return false;
+}
 
 #endif

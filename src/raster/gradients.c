@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "raster/gradients.h"
 
-/* Above 16 a pixel a sum of gradients could leave 32 bits. */
-#define MOST_EXCESS 4
-
 static int32_t depth_range(const glint_gradients *gradients)
 {
-    int32_t least = gradients->corner[0].depth_q30, greatest = least;
+    int32_t least = gradients->corner[0]->depth_q30, greatest = least;
     for (int i = 1; i < 3; i++) {
-        const int32_t depth = gradients->corner[i].depth_q30;
+        const int32_t depth = gradients->corner[i]->depth_q30;
         least = depth < least ? depth : least;
         greatest = depth > greatest ? depth : greatest;
     }
@@ -18,15 +15,16 @@ static int32_t depth_range(const glint_gradients *gradients)
 /* The edge opposite corner 1 runs from 2 to 0, that opposite corner 2 from 0 to 1. */
 static const glint_screen_vertex *opposite_from(const glint_gradients *gradients, int i)
 {
-    return &gradients->corner[i == 0 ? 2 : 0];
+    return gradients->corner[i == 0 ? 2 : 0];
 }
 
 static const glint_screen_vertex *opposite_to(const glint_gradients *gradients, int i)
 {
-    return &gradients->corner[i == 0 ? 0 : 1];
+    return gradients->corner[i == 0 ? 0 : 1];
 }
 
-void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_vertex corner[3], const uint8_t order[3])
+void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_vertex *const corner[3],
+                            const uint8_t order[3])
 {
     int32_t dx[2], dy[2];
     uint32_t any = 0;
@@ -44,34 +42,36 @@ void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_verte
     gradients->area = (int64_t)dx[1] * -dy[0] + (int64_t)dx[0] * dy[1]; /* < 2^48 */
     GLINT_TRACE("gradient area q24", gradients->area);
     const int area_bits = gradients->area > 0 ? bit_length64((uint64_t)gradients->area) : 0;
+    const int bits = 32 - clz32(any); /* of the longest side, <= 24 */
     /* |gradient| < 2^excess per pixel */
-    const int excess = 32 - clz32(any) + GLINT_FINE_BITS - area_bits + 1;
+    const int excess = bits + GLINT_FINE_BITS - area_bits + 1;
     /*
      * The depth, at most 2 range 2^(excess - 8) beyond the corners' range, has to stay within the margin of
      * GLINT_DEPTH_BIAS (2^20), half of which is left for rounding.
      */
     const int range_bits = 32 - clz32((uint32_t)depth_range(gradients));
-    gradients->sliver = area_bits == 0 || excess > MOST_EXCESS || range_bits + excess - 7 > 19;
+    gradients->sliver = area_bits == 0 || excess > 0 || range_bits + excess - 7 > 19;
     if (gradients->sliver) {
         return;
     }
-    gradients->bits = (int8_t)(30 - (excess > 0 ? excess : 0));
-    gradients->anchor_x = (int16_t)(gradients->corner[0].x >> GLINT_FINE_BITS);
-    gradients->anchor_y = (int16_t)(gradients->corner[0].y >> GLINT_FINE_BITS);
-    gradients->offset_x = (int16_t)(GLINT_FINE / 2 - (gradients->corner[0].x & (GLINT_FINE - 1)));
-    gradients->offset_y = (int16_t)(GLINT_FINE / 2 - (gradients->corner[0].y & (GLINT_FINE - 1)));
-    /* area = a 2^(area_bits-32) with a normalised; 1/area = r 2^(-30-area_bits) */
+    gradients->anchor_x = (int16_t)(gradients->corner[0]->x >> GLINT_FINE_BITS);
+    gradients->anchor_y = (int16_t)(gradients->corner[0]->y >> GLINT_FINE_BITS);
+    gradients->offset_x = (int16_t)(GLINT_FINE / 2 - (gradients->corner[0]->x & (GLINT_FINE - 1)));
+    gradients->offset_y = (int16_t)(GLINT_FINE / 2 - (gradients->corner[0]->y & (GLINT_FINE - 1)));
+    /* area = a 2^(area_bits-32) with a normalised; 1/area = r 2^(-30-area_bits), r < 2^31 */
     const uint32_t a =
         (uint32_t)(area_bits > 32 ? gradients->area >> (area_bits - 32) : gradients->area << (32 - area_bits));
-    const uint32_t r = glint_reciprocal_q31(a);
-    const int shift = gradients->bits + GLINT_FINE_BITS - 30 - area_bits; /* < 0 by the limit on excess */
+    const int32_t r = (int32_t)glint_reciprocal_q31(a);
+    /* a side, brought to 30 bits, times r: d r 2^(30 - bits - 32); d / area per 1/4096 px, in Q30 per px, is that times
+     * 2^-down */
+    const int down = area_bits - bits - GLINT_FINE_BITS - 2; /* >= -1 by the limit on excess */
     for (int i = 0; i < 2; i++) {
-        const int64_t x = shift_round64((int64_t)-dy[i] * r, shift);
+        const int32_t x = shift_round32(multiply_high_s32(-dy[i] * ((int32_t)1 << (30 - bits)), r), down);
         GLINT_TRACE("gradient", x);
-        gradients->x[i] = (int32_t)x;
-        const int64_t y = shift_round64((int64_t)dx[i] * r, shift);
+        gradients->x[i] = x;
+        const int32_t y = shift_round32(multiply_high_s32(dx[i] * ((int32_t)1 << (30 - bits)), r), down);
         GLINT_TRACE("gradient", y);
-        gradients->y[i] = (int32_t)y;
+        gradients->y[i] = y;
     }
 }
 

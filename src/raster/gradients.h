@@ -5,8 +5,8 @@
  *
  * They belong to the vertices before snapping. A pixel that the snapped triangle covers may thus lie outside of the
  * unsnapped one, by at most 0.71 / 256 px, and a barycentric coordinate outside of 0..1 by at most 2^-8 of its gradient
- * per pixel. Where the gradient is so steep that this could matter, coordinates are computed at each pixel instead and
- * clamped: that is a sliver, of which few pixels are covered.
+ * per pixel. Where the gradient is so steep that this could matter, or may pass 1 a pixel, coordinates are computed at
+ * each pixel instead and clamped: that is a sliver, of which few pixels are covered.
  */
 #ifndef GLINT_RASTER_GRADIENTS_H
 #define GLINT_RASTER_GRADIENTS_H
@@ -14,17 +14,17 @@
 #include "raster/edges.h"
 
 typedef struct glint_gradients {
-    glint_screen_vertex corner[3]; /* clockwise on the display */
-    bool sliver;                   /* the gradients are not set: use glint_gradients_weights() at each pixel */
-    int8_t bits;                   /* fractional bits of the gradients, 26..30 */
-    int32_t x[2], y[2];            /* change of the coordinates of corners 1 and 2, per pixel right and down */
-    int16_t anchor_x, anchor_y;    /* the pixel that holds corner 0 */
-    int16_t offset_x, offset_y;    /* from corner 0 to that pixel's centre, 1/4096 px: -2047..2048 */
-    int64_t area;                  /* twice the area in (1/4096 px)^2; may be 0 or less for a sliver */
+    const glint_screen_vertex *corner[3]; /* clockwise on the display */
+    bool sliver;                          /* the gradients are not set: use glint_gradients_weights() at each pixel */
+    int32_t x[2], y[2];         /* change of the coordinates of corners 1 and 2, per pixel right and down, Q30 */
+    int16_t anchor_x, anchor_y; /* the pixel that holds corner 0 */
+    int16_t offset_x, offset_y; /* from corner 0 to that pixel's centre, 1/4096 px: -2047..2048 */
+    int64_t area;               /* twice the area in (1/4096 px)^2; may be 0 or less for a sliver */
 } glint_gradients;
 
 /* `order` is the clockwise order of its three vertices, see glint_edges. */
-void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_vertex corner[3], const uint8_t order[3]);
+void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_vertex *const corner[3],
+                            const uint8_t order[3]);
 
 /*
  * For slivers: barycentric coordinates of corners 1 and 2 at a pixel's centre, Q30, clamped so that all three are

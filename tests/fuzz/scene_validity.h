@@ -129,6 +129,7 @@ static inline validity display_validity(const glint_display *d)
                       d->dither <= GLINT_DITHER_BAYER && d->buffer_count <= 2 &&
                       (d->buffer_count < 2 || d->transfers != NULL) &&
                       (d->stride_bytes == 0 || d->stride_bytes >= row) &&
+                      (d->stride_bytes % 2 == 0 || (d->format != GLINT_RGB565 && d->format != GLINT_RGB565_SWAPPED)) &&
                       (d->format != GLINT_MONO_PAGES || d->band_px % 8 == 0 || d->band_px >= d->height_px);
     return good ? VALID : INVALID;
 }

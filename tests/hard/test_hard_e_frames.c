@@ -278,8 +278,10 @@ static void test_E11_odd_displays(void **state)
                 display.band_px = n < 2 ? 0 : 8;
                 const uint32_t row = glint_row_bytes((uint8_t)format, sizes[i][0]);
                 expect_stride(&demo_scenes[6], display, row, n % 2);
-                expect_stride(&demo_scenes[6], display, row + 1, n % 2);
-                expect_stride(&demo_scenes[6], display, row + 13, n % 2);
+                /* pixels of 16 bits want an even stride */
+                const uint32_t unit = format == GLINT_RGB565 || format == GLINT_RGB565_SWAPPED ? 2 : 1;
+                expect_stride(&demo_scenes[6], display, row + 1 * unit, n % 2);
+                expect_stride(&demo_scenes[6], display, row + 13 * unit, n % 2);
                 frames += 6;
             }
         }
@@ -290,6 +292,8 @@ static void test_E11_odd_displays(void **state)
     }
     const glint_display narrow = {.width_px = 10, .height_px = 10, .stride_bytes = 29};
     expect_refused(demo_scenes[0].scene, narrow, GLINT_ERROR_DISPLAY_STRIDE);
+    const glint_display odd = {.width_px = 10, .height_px = 10, .format = GLINT_RGB565, .stride_bytes = 23};
+    expect_refused(demo_scenes[0].scene, odd, GLINT_ERROR_DISPLAY_STRIDE);
     /* a triangle outside on each side in turn: no pixel */
     static sheet s;
     for (int side = 0; side < 8; side++) {

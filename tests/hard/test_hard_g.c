@@ -38,12 +38,10 @@ static int run(const char *command, char *said, size_t bytes)
 /* What becomes of a triangle before it is clipped. */
 static enum triangle_fate fate_of(frame_state *drawn, const object_state *object, uint16_t triangle)
 {
-    uint16_t vertex[3];
-    glint_screen_vertex screen[3];
+    triangle_corners corners;
     enum triangle_fate fate;
-    read_triangle(object->mesh, triangle, vertex);
-    screen_corners(object, &drawn->view, vertex, screen, &drawn->report);
-    (void)needs_clipping(screen, &fate);
+    triangle_fetch(drawn, object, triangle, &corners);
+    (void)needs_clipping(corners.screen, &fate);
     return fate;
 }
 

@@ -26,12 +26,13 @@ static void mark_expected(void *context, int x, int y)
     triangle[y * frame_width + x] = 1;
 }
 
-static void check_triangle(const frame_state *state, const object_state *object, const corner fan[3])
+static void check_triangle(const frame_state *state, const object_state *object,
+                           const glint_screen_vertex *const screen[3])
 {
     static uint8_t triangle[MOST_PIXELS];
     const int width = state->view.width_px, height = state->view.height_px;
     snapped s;
-    if (snap_triangle(state, object, &fan[0].screen, &fan[1].screen, &fan[2].screen, &s) != TRIANGLE_DRAWN) {
+    if (triangle_snap(state, object, screen, &s) != TRIANGLE_DRAWN) {
         return;
     }
     const int32_t corners[3][2] = {
@@ -57,27 +58,22 @@ static void check_triangle(const frame_state *state, const object_state *object,
 static void check_object(frame_state *state, const object_state *object)
 {
     for (uint16_t t = 0; t < object->mesh->triangle_count; t++) {
-        uint16_t vertex[3];
-        glint_screen_vertex screen[3];
+        triangle_corners corners;
         corner polygon[CLIP_MOST];
         enum triangle_fate fate;
         real attribute[3][3] = {{0}};
-        int count = 3;
-        if (triangle_measure(state, object, t).fate != TRIANGLE_DRAWN) {
+        if (do_triangle(state, object, t, false).fate != TRIANGLE_DRAWN) {
             continue;
         }
-        read_triangle(object->mesh, t, vertex);
-        screen_corners(object, &state->view, vertex, screen, &state->report);
-        if (needs_clipping(screen, &fate)) {
-            count = clip_triangle(object, &state->view, vertex, attribute, polygon);
-            clipped_seen++;
-        } else {
-            for (int i = 0; i < 3; i++) {
-                polygon[i].screen = screen[i];
-            }
+        triangle_fetch(state, object, t, &corners);
+        if (!needs_clipping(corners.screen, &fate)) {
+            check_triangle(state, object, corners.screen);
+            continue;
         }
+        const int count = clip_triangle(object, &state->view, corners.vertex, attribute, polygon);
+        clipped_seen++;
         for (int i = 2; i < count; i++) {
-            const corner fan[3] = {polygon[0], polygon[i - 1], polygon[i]};
+            const glint_screen_vertex *const fan[3] = {&polygon[0].screen, &polygon[i - 1].screen, &polygon[i].screen};
             check_triangle(state, object, fan);
         }
     }
@@ -121,7 +117,7 @@ static void check_scene(const glint_scene *scene, uint16_t width, uint16_t heigh
     glint_view_set_up(&state.view, scene->camera, width, height);
     state.objects = objects;
     state.object_count = scene->object_count;
-    prepare_objects(&state, scene, objects, lights, NULL, NULL);
+    prepare_objects(&state, scene, objects, lights, NULL, NULL, false);
     for (uint16_t i = 0; i < scene->object_count; i++) {
         check_object(&state, &objects[i]);
     }

@@ -29,7 +29,7 @@ static const char *const frame_backend_name[FRAME_BACKENDS] = {"fixed", "float"}
 typedef struct frame {
     glint_display
         display; /* what the caller sets: size, band, format, dither, buffers, stride; the rest is filled in */
-    uint8_t shading;
+    uint8_t shading, tolerance;
     size_t memory_bytes; /* 0: all that the backend can make use of; 1: the least */
     /* results */
     uint8_t *pixels; /* rows (pages) of row_bytes, the whole frame */
@@ -64,7 +64,7 @@ static inline int frame_flush(void *context, const glint_band *band)
 /* Draws; returns what the library returned. */
 static inline int frame_draw(frame *f, const glint_scene *scene, int backend)
 {
-    const glint_quality quality = {.shading = f->shading};
+    const glint_quality quality = {.shading = f->shading, .tolerance = f->tolerance};
     f->display.flush = frame_flush;
     f->display.context = f;
     f->display.transfers = f->display.buffer_count == 2 ? &f->transfers : NULL;

@@ -80,7 +80,8 @@ static void test_fates_by_kinds_of_corners(void **state)
             screen[i].depth_q30 = depth[i];
             seen[n >> (2 * i) & 3]++;
         }
-        const bool clip = needs_clipping(screen, &fate);
+        const glint_screen_vertex *const corner_at[3] = {&screen[0], &screen[1], &screen[2]};
+        const bool clip = needs_clipping(corner_at, &fate);
         assert_int_equal(clip, seen[0] < 3);
         assert_int_equal(fate, seen[3] > 0 ? TRIANGLE_REFUSED : seen[1] == 3 ? TRIANGLE_OUTSIDE : TRIANGLE_DRAWN);
     }

@@ -113,22 +113,22 @@ static void expect_runs(uint16_t *row, uint32_t depth, uint32_t step, int16_t x,
 {
     uint16_t expected[ROW];
     bool passed[ROW] = {false}, found[ROW] = {false};
-    int16_t first;
-    uint16_t length;
+    uint16_t *at = row + x;
+    const uint16_t *const end = row + x_last + 1, *first;
     uint32_t value = depth;
     memcpy(expected, row, sizeof expected);
     for (int i = x; i <= x_last; i++, value += step) {
         passed[i] = (uint16_t)(value >> GLINT_DEPTH_SHIFT) > expected[i];
         expected[i] = passed[i] ? (uint16_t)(value >> GLINT_DEPTH_SHIFT) : expected[i];
     }
-    while ((length = glint_depth_run(row, &depth, step, &x, x_last, &first)) > 0) {
-        assert_true(first + length == x && x <= x_last + 1);
-        for (int i = first; i < x; i++) {
-            assert_false(found[i]);
-            found[i] = true;
+    while ((first = glint_depth_run(&at, end, &depth, step)) != NULL) {
+        assert_true(first < at && at <= end);
+        for (; first != at; first++) {
+            assert_false(found[first - row]);
+            found[first - row] = true;
         }
     }
-    assert_true(x == x_last + 1 && depth == value);
+    assert_true(at == end && depth == value);
     assert_memory_equal(row, expected, sizeof expected);
     assert_memory_equal(found, passed, sizeof passed);
 }

@@ -9,9 +9,9 @@
 #include "raster/plane.h"
 
 /* Budgets, as raster/gradients.h and raster/plane.h state them. */
-#define GRADIENT_ULP 0.5L                                     /* of the last bit, and ... */
+#define GRADIENT_ULP 2.0L                                     /* of the last bit, and ... */
 #define GRADIENT_RELATIVE_LOG2 (-27.8L)                       /* of the gradient */
-#define PLANE_PER_PIXEL(bits) (ldexpl(1, 30 - (bits)) + 0.5L) /* units a pixel from the anchor, and ... */
+#define PLANE_PER_PIXEL 12.5L                                 /* units a pixel from the anchor, and ... */
 #define PLANE_UNITS 8.0L                                      /* at the anchor */
 #define WEIGHT_LOG2 (-27.0L)                                  /* before clamping */
 #define OUTSIDE_PER_GRADIENT 0.00390625L /* coordinates beyond 0..1, times the gradient a pixel: 2^-8 */
@@ -66,7 +66,8 @@ static bool random_triangle(triangle *t, int width, int height, bool steep)
         return false;
     }
     glint_edges_set_up(&t->edges, snapped, area > 0, box);
-    glint_gradients_set_up(&t->gradients, t->corner, t->edges.order);
+    const glint_screen_vertex *const corner[3] = {&t->corner[0], &t->corner[1], &t->corner[2]};
+    glint_gradients_set_up(&t->gradients, corner, t->edges.order);
     return true;
 }
 
@@ -75,7 +76,7 @@ static void exact_coordinates(const glint_gradients *g, int x, int y, long doubl
 {
     const int64_t px = (int64_t)x * GLINT_FINE + GLINT_FINE / 2, py = (int64_t)y * GLINT_FINE + GLINT_FINE / 2;
     for (int i = 0; i < 2; i++) {
-        const glint_screen_vertex *from = &g->corner[i ? 0 : 2], *to = &g->corner[i ? 1 : 0];
+        const glint_screen_vertex *from = g->corner[i ? 0 : 2], *to = g->corner[i ? 1 : 0];
         const int64_t dx = (int64_t)to->x - from->x, dy = (int64_t)to->y - from->y;
         b[i] = (long double)(dx * (py - from->y) - dy * (px - from->x)) / (long double)g->area;
         slope[i][0] = (long double)(-dy * GLINT_FINE) / (long double)g->area;
@@ -107,7 +108,7 @@ static void at_covered_pixels(const triangle *t, pixel_check check, void *contex
 
 typedef struct tally {
     long triangles, slivers, pixels;
-    long double gradient, weight, outside, plane_units, plane[5]; /* plane[k]: gradients of 30 - k bits */
+    long double gradient, weight, outside, plane_units, plane;
     int32_t depth_least, depth_greatest;
     glint_plane attribute, depth;
     int32_t v[3];
@@ -127,8 +128,7 @@ static void check_plane_at(const triangle *t, int16_t x, int16_t y, void *contex
     const long double exact =
         all->v[0] + b[0] * ((long double)all->v[1] - all->v[0]) + b[1] * ((long double)all->v[2] - all->v[0]);
     const long double error = fabsl((long double)glint_plane_at(&all->attribute, g, x, y) - exact);
-    long double *plane = &all->plane[30 - g->bits];
-    *plane = worse(*plane, error / (PLANE_PER_PIXEL(g->bits) * n + PLANE_UNITS));
+    all->plane = worse(all->plane, error / (PLANE_PER_PIXEL * n + PLANE_UNITS));
     all->plane_units = worse(all->plane_units, error);
     all->pixels++;
 }
@@ -139,14 +139,13 @@ static void check_gradients(const triangle *t, tally *all)
     const glint_gradients *g = &t->gradients;
     long double b[2], slope[2][2];
     exact_coordinates(g, 0, 0, b, slope);
-    assert_in_range(g->bits, 26, 30);
     assert_true(g->offset_x >= -2047 && g->offset_x <= 2048 && g->offset_y >= -2047 && g->offset_y <= 2048);
-    assert_int_equal(g->anchor_x * GLINT_FINE + GLINT_FINE / 2 - g->corner[0].x, g->offset_x);
-    assert_int_equal(g->anchor_y * GLINT_FINE + GLINT_FINE / 2 - g->corner[0].y, g->offset_y);
+    assert_int_equal(g->anchor_x * GLINT_FINE + GLINT_FINE / 2 - g->corner[0]->x, g->offset_x);
+    assert_int_equal(g->anchor_y * GLINT_FINE + GLINT_FINE / 2 - g->corner[0]->y, g->offset_y);
     for (int i = 0; i < 2; i++) {
         const int32_t stored[2] = {g->x[i], g->y[i]};
         for (int k = 0; k < 2; k++) {
-            const long double exact = ldexpl(slope[i][k], g->bits);
+            const long double exact = ldexpl(slope[i][k], 30);
             const long double error = fabsl((long double)stored[k] - exact);
             all->gradient = worse(all->gradient, error - fabsl(exact) * exp2l(GRADIENT_RELATIVE_LOG2));
         }
@@ -192,11 +191,7 @@ static void planes_keep_their_bound(void **state)
     expect_at_most("coordinate beyond 0..1 by its gradient a pixel", all.outside, OUTSIDE_PER_GRADIENT);
     expect_at_most("gradient, last bits, less 2^-27.8 of it", all.gradient, GRADIENT_ULP);
     print_message("    plane, greatest error: %.0Lf units\n", all.plane_units);
-    for (int k = 0; k < 5; k++) {
-        print_message("    plane, of its allowed units, gradients of %d bits: %.3Lf\n", 30 - k, all.plane[k]);
-        all.plane[0] = worse(all.plane[0], all.plane[k]);
-    }
-    expect_at_most("plane, of its allowed units", all.plane[0], 1);
+    expect_at_most("plane, of its allowed units", all.plane, 1);
 }
 
 static void check_weights_at(const triangle *t, int16_t x, int16_t y, void *context)
@@ -257,7 +252,7 @@ static void check_depth_at(const triangle *t, int16_t x, int16_t y, void *contex
     int32_t depth, weight[2];
     if (g->sliver) {
         glint_gradients_weights(g, x, y, weight);
-        depth = glint_plane_weigh(weight, g->corner[0].depth_q30, g->corner[1].depth_q30, g->corner[2].depth_q30);
+        depth = glint_plane_weigh(weight, g->corner[0]->depth_q30, g->corner[1]->depth_q30, g->corner[2]->depth_q30);
     } else {
         depth = glint_plane_at(&all->depth, g, x, y);
     }
@@ -283,8 +278,8 @@ static void depths_stay_within_their_margins(void **state)
             continue;
         }
         if (!t.gradients.sliver) {
-            glint_plane_set_up(&all.depth, &t.gradients, t.gradients.corner[0].depth_q30,
-                               t.gradients.corner[1].depth_q30, t.gradients.corner[2].depth_q30);
+            glint_plane_set_up(&all.depth, &t.gradients, t.gradients.corner[0]->depth_q30,
+                               t.gradients.corner[1]->depth_q30, t.gradients.corner[2]->depth_q30);
         }
         at_covered_pixels(&t, check_depth_at, &all);
     }

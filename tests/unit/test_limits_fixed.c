@@ -77,23 +77,23 @@ static void towards_a_light_in_any_scale(void **state)
 }
 
 /* Where light and viewer are opposite, the half vector is taken again from finer vectors. There is none if one of these
- * is zero, and none if they are opposite too; then the specular cosine is not written. */
+ * is zero, and none if they are opposite too; then it is not written. */
 static void half_vectors_of_opposite_directions(void **state)
 {
     static const real n[3] = {0, 32768, 0}, s[3] = {0, 0, -32768}, c[3] = {0, 0, 32768};
     static const real nothing[3] = {0, 0, 0}, opposite[3] = {0, 0, -12345}, aside[3] = {0, 100, -12345};
-    uint32_t gap = 7;
+    real half[3] = {7, 8, 9};
     (void)state;
     /* the ray leads away from the viewer */
-    assert_false(gap_half(n, s, c, nothing, opposite, &gap));
-    assert_false(gap_half(n, s, c, opposite, nothing, &gap));
-    assert_false(gap_half(n, s, c, nothing, nothing, &gap));
-    assert_false(gap_half(n, s, c, opposite, opposite, &gap));
-    assert_int_equal(gap, 7);
+    assert_false(half_vector(s, c, nothing, opposite, half));
+    assert_false(half_vector(s, c, opposite, nothing, half));
+    assert_false(half_vector(s, c, nothing, nothing, half));
+    assert_false(half_vector(s, c, opposite, opposite, half));
+    assert_true(half[0] == 7 && half[1] == 8 && half[2] == 9);
     /* s turned by 100 / 12345 to y, so that the half vector is half of that away from y; the gap is the square of the
      * distance over 2 */
-    assert_true(gap_half(n, s, c, aside, opposite, &gap));
-    const long double away = 32768 * atanl(100 / 12345.0L) / 2, distance = sqrtl(gap);
+    assert_true(half_vector(s, c, aside, opposite, half));
+    const long double away = 32768 * atanl(100 / 12345.0L) / 2, distance = sqrtl(gap_between(n, half));
     assert_true(fabsl(distance - away) <= sqrtl(3) * UNIT_ULP);
 }
 

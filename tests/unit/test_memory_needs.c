@@ -64,7 +64,7 @@ static void test_lists_up_to_65534_triangles(void **state)
         for (uint16_t band_px = 0; band_px <= BOARD_PX; band_px++) {
             const glint_display display = {.width_px = BOARD_PX, .height_px = BOARD_PX, .band_px = band_px};
             const uint32_t bands = band_px == 0 ? 1 : (BOARD_PX + band_px - 1u) / band_px;
-            const size_t lists = counts[n] <= MOST_SORTED ? (counts[n] + bands + 1) / 2 * 4 : 0;
+            const size_t lists = bands > 1 && counts[n] <= MOST_SORTED ? (counts[n] + bands + 1) / 2 * 4 : 0;
             const size_t vertices = (size_t)c.b.scene.object_count * 4 * VERTEX_BYTES;
             for (int which = 0; which < BACKENDS; which++) {
                 const size_t least = backends[which].memory_least_bytes(&c.b.scene, &display);

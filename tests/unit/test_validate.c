@@ -204,7 +204,14 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(near_high, w->b.camera.near_q16 = (1 << 30) + 1, GLINT_ERROR_CAMERA_NEAR)                                        \
     X(eye_high, w->b.camera.eye_q16[2] = (1 << 30) + 1, GLINT_ERROR_CAMERA_RANGE)                                      \
     X(target_low, w->b.camera.target_q16[1] = -(1 << 30) - 1, GLINT_ERROR_CAMERA_RANGE)                                \
-    X(shading_3, w->quality.shading = GLINT_SHADING_FLAT + 1, GLINT_ERROR_SHADING)                                     \
+    X(shading_5, w->quality.shading = GLINT_SHADING_Q2 + 1, GLINT_ERROR_SHADING)                                       \
+    X(tolerance_1, w->quality.tolerance = 1, GLINT_ERROR_TOLERANCE)                                                    \
+    X(tolerance_11, w->quality.tolerance = GLINT_LEAST_TOLERANCE - 1, GLINT_ERROR_TOLERANCE)                           \
+    X(tolerance_and_shading, (w->quality.tolerance = 16, w->quality.shading = GLINT_SHADING_FLAT),                     \
+      GLINT_ERROR_TOLERANCE)                                                                                           \
+    X(tolerance_12, w->quality.tolerance = GLINT_LEAST_TOLERANCE, GLINT_OK)                                            \
+    X(tolerance_255, w->quality.tolerance = 255, GLINT_OK)                                                             \
+    X(stride_odd_565, set_stride(w, GLINT_RGB565, 9, 19), GLINT_ERROR_DISPLAY_STRIDE)                                  \
     X(memory_one_byte_short, w->memory_kind = SHORT_MEMORY, GLINT_ERROR_MEMORY_SIZE)                                   \
     X(misaligned_1, w->misaligned = 1, GLINT_ERROR_MEMORY_ALIGNMENT)                                                   \
     X(misaligned_2, w->misaligned = 2, GLINT_ERROR_MEMORY_ALIGNMENT)                                                   \

@@ -1,0 +1,237 @@
+/* SPDX-License-Identifier: MIT */
+#include "lighting/bound.h"
+
+#include "number/fixed.h"
+#include "number/tables.h"
+
+#define ONE_Q16 65536u
+#define HALF_CODE (GLINT_CODE_UNITS / 2)
+
+uint8_t glint_curve_class(uint32_t y_q16)
+{
+    uint8_t class = 0;
+    while (class < GLINT_CURVE_CLASSES && y_q16 > flash_u16(&glint_curve_limit_q16[class])) {
+        class ++;
+    }
+    return class;
+}
+
+void glint_curve_of(uint8_t class, uint8_t degree, glint_curve *curve)
+{
+    const uint16_t *entry = &glint_curves[(class * GLINT_CURVE_DEGREES + degree) * 4];
+    for (int k = 0; k < 3; k++) {
+        curve->c_q15[k] = flash_u16(&entry[k]);
+    }
+    curve->error_q16 = flash_u16(&entry[3]);
+}
+
+uint32_t glint_bound_gloss(uint32_t specular, uint16_t exponent_q4)
+{
+    /* 0.607 / 4 2.5e-4 = 2.49 / 2^16, with the root of sixteenths */
+    return ((specular * glint_square_root_u32((uint32_t)exponent_q4 << 8)) >> 4) * 5 >> 17;
+}
+
+uint32_t glint_bound_turned(uint32_t specular, uint16_t exponent_q4)
+{
+    /* 2 0.607 / 4 = 0.3035, with the root of sixteenths: 0.3035 / 16 = 1243 / 2^16 */
+    const uint32_t root_q4 = glint_square_root_u32((uint32_t)exponent_q4 << 8) + 1;
+    return multiply_high_u32(specular << 8, (root_q4 * 1244) << 8) + 1;
+}
+
+uint32_t glint_bound_highlight_q15(uint32_t specular, uint16_t exponent_q4)
+{
+    if (specular <= GLINT_HIGHLIGHT_LEFT) {
+        return 0;
+    }
+    if (exponent_q4 == 0) {
+        return GLINT_FAR_Q15;
+    }
+    /* log2(1 + f) <= f + 0.0861 */
+    const int zeros = clz32(specular);
+    const uint32_t fraction_q16 = (specular << zeros << 1) >> 16;
+    const uint32_t log2_q16 = ((uint32_t)(31 - zeros - 4) << 16) + fraction_q16 + 5643; /* of specular / 16 */
+    /* a^2 = 2 ln 2 log2(.) / exponent; 2 ln 2 16 = 22.1808 */
+    const int up = clz32(exponent_q4);
+    const uint32_t r = glint_reciprocal_q31((uint32_t)exponent_q4 << up); /* 2^62 / (exponent 2^up) */
+    const uint32_t quotient_q16 = (multiply_high_u32(log2_q16 << 8, r) >> (38 - up)) + 1;
+    const uint32_t square_q16 = quotient_q16 * 22 + (quotient_q16 >> 2);
+    return square_q16 >= (uint32_t)16 << 16 ? GLINT_FAR_Q15 : (glint_square_root_u32(square_q16 << 12) << 1) + 4;
+}
+
+uint32_t glint_bound_angle_least_q15(uint32_t gap_q15)
+{
+    return glint_square_root_u32((gap_q15 > 65535 ? 65535 : gap_q15) << 16);
+}
+
+uint32_t glint_bound_spread_q15(uint32_t chord_q16)
+{
+    if (chord_q16 > ONE_Q16) {
+        return GLINT_FAR_Q15;
+    }
+    const uint32_t root_q15 = glint_square_root_u32(chord_q16 << 14) + 1;
+    return ((root_q15 + ((root_q15 * (chord_q16 >> 6)) >> 10) / 20) * 39322) >> 15; /* 1.2 */
+}
+
+uint32_t glint_bound_longer_q15(uint32_t chord_q16)
+{
+    if (chord_q16 > ONE_Q16) {
+        return 32768;
+    }
+    /* (1 - x)^(-1/2) <= 1 + x / 2 + 0.55 x^2 for x <= 1/3 */
+    const uint32_t third_q15 = chord_q16 / 6 + 1;
+    return third_q15 / 2 + ((third_q15 * third_q15 >> 15) * 9 >> 4) + 1;
+}
+
+void glint_bound_gloss_table(uint32_t angle_q15, uint8_t *bits, uint16_t *cells)
+{
+    /* 1 - cos a <= a^2 / 2; Q30 to Q28. At most 2, the gap of opposite directions. */
+    const uint32_t gap_q28 = angle_q15 > 65535 ? (uint32_t)1 << 29 : (angle_q15 * angle_q15) >> 3;
+    *bits = 0;
+    while (gap_q28 >> *bits >= GLINT_GLOSS_CELLS) {
+        (*bits)++;
+    }
+    *cells = (uint16_t)((gap_q28 >> *bits) + 1);
+}
+
+uint32_t glint_bound_gloss_error(uint32_t specular, uint16_t exponent_q4, uint8_t bits)
+{
+    /* exponent 2^bits / 2^28, Q16 */
+    const uint32_t product_q16 =
+        bits >= 16 ? (uint32_t)exponent_q4 << (bits - 16) : (uint32_t)exponent_q4 >> (16 - bits);
+    if (product_q16 > 65535) {
+        return specular;
+    }
+    return multiply_high_u32(specular << 8, (product_q16 * product_q16) >> 11) + 2;
+}
+
+uint32_t glint_bound_shows_q15(uint32_t gap_q28, uint32_t error, uint32_t gloss)
+{
+    /* error / gloss in Q28: 2^62 / (gloss 2^up) */
+    const int up = clz32(gloss | 1);
+    const uint32_t r = glint_reciprocal_q31((gloss | 1) << up);
+    const uint32_t off_q26 =
+        error > 1023 ? (uint32_t)1 << 26 : multiply_high_u32(error << 22, r) >> (26 - (up < 26 ? up : 26));
+    const uint32_t gap = gap_q28 + (off_q26 < (uint32_t)1 << 26 ? off_q26 << 2 : (uint32_t)1 << 28) + 64;
+    if (gap >= (uint32_t)1 << 28) {
+        return GLINT_FAR_Q15;
+    }
+    const uint32_t root_q15 = glint_square_root_u32(gap << 3) + 3; /* sqrt(2 g) in Q15: sqrt(g 2^31) */
+    return root_q15 + ((root_q15 * (gap >> 16)) >> 15) + 4;
+}
+
+uint32_t glint_bound_per_turn_q20(uint32_t turn_q20)
+{
+    /* 2^20 2^5 / turn, 2^62 / (turn 2^up) being the reciprocal; less than 2^10 of turn is taken for that */
+    const uint32_t turn = turn_q20 < 1024 ? 1024 : turn_q20;
+    const int up = clz32(turn);
+    return glint_reciprocal_q31(turn << up) >> (37 - up);
+}
+
+int32_t glint_bound_clear(uint32_t gap_q31, uint32_t highlight_q15, uint32_t per_turn_q20)
+{
+    const uint32_t angle_q15 = glint_square_root_u32(gap_q31); /* sqrt(2 gap), < 2^16 */
+    return angle_q15 <= highlight_q15 + 4
+               ? 0
+               : (int32_t)(((angle_q15 - highlight_q15 - 4) * (per_turn_q20 >> 1)) >> 19); /* < 2^16 2^14 */
+}
+
+uint32_t glint_bound_quadratic(uint32_t gloss, uint32_t normal_q20, uint32_t view_q20, int log2)
+{
+    /* Q12, rounded up; an eighth more for what lies beside the triangle */
+    const uint32_t k = (normal_q20 + normal_q20 / 8 + 255) >> 8, v = (view_q20 + 255) >> 8;
+    if (k > 300 || v > 300) {
+        return UINT32_MAX;
+    }
+    const uint32_t third_q36 = k * k * (12 * k + 12 * v) + v * v * (10 * k + 20 * v); /* <= 54 300^3 < 2^31 */
+    if (third_q36 >> (31 - 3 * log2) != 0) {
+        return UINT32_MAX;
+    }
+    /* 0.0642 / 2^4 = 263 / 2^16 */
+    const uint32_t error = multiply_high_u32(gloss, third_q36 << (3 * log2));
+    return error > (uint32_t)1 << 20 ? UINT32_MAX : ((error * 263) >> 16) + 1;
+}
+
+/*
+ * Without weights, interpolation is affine instead of perspective-correct, which moves barycentric coordinates by at
+ * most (sqrt(r) - 1) / (sqrt(r) + 1) <= (r - 1) / 4 for a ratio of depths r, and the normal by that times sqrt(D) /
+ * sqrt(1 - D/3). Does the cosine's error, times `turned`, stay within 1/16 code?
+ */
+static bool affine_serves(uint32_t turned, uint32_t chord_q16, uint32_t rise_q16)
+{
+    if (rise_q16 == 0 || chord_q16 == 0) {
+        return true;
+    }
+    if (rise_q16 > ONE_Q16 / 2 || chord_q16 > ONE_Q16 || turned >> 20 != 0) {
+        return false;
+    }
+    /* (turned (r - 1) / 4)^2 D <= 16^2 (1 - D/3), and D <= 1: 2/3 for the last factor */
+    const uint32_t moved = multiply_high_u32(turned << 8, rise_q16 << 6); /* < 2^16 */
+    const uint32_t square = moved < 1024 ? moved * moved : (uint32_t)1 << 20;
+    return ((square + 1) >> 4) * (chord_q16 >> 4) <= 170u << 8;
+}
+
+void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3], uint8_t tolerance, uint8_t least,
+                        uint8_t greatest, glint_choice *choice)
+{
+    int32_t low = inverse_depth[0], high = low;
+    for (int i = 1; i < 3; i++) {
+        low = inverse_depth[i] < low ? inverse_depth[i] : low;
+        high = inverse_depth[i] > high ? inverse_depth[i] : high;
+    }
+    if (bound->diffuse == 0) {
+        choice->tier = GLINT_TIER_UNLIT;
+        choice->promise = (uint16_t)(HALF_CODE + bound->fixed + bound->left);
+        return;
+    }
+    if (tolerance != 0 && bound->flat <= (uint32_t)tolerance * (GLINT_CODE_UNITS / 16)) {
+        choice->tier = GLINT_TIER_FLAT;
+        choice->promise = (uint16_t)bound->flat;
+        return;
+    }
+    choice->tier = GLINT_TIER_EXACT;
+    choice->promise = bound->exact > UINT16_MAX ? UINT16_MAX : (uint16_t)bound->exact;
+    /* 1/high = r 2^(zeros - 62) */
+    const int zeros = clz32((uint32_t)high | 1);
+    const uint32_t r = glint_reciprocal_q31(((uint32_t)high | 1) << zeros);
+    const uint32_t least_q16 = multiply_high_u32((uint32_t)(low > 0 ? low : 0) << zeros, r) >> 14;
+    uint32_t weight_q16 = ONE_Q16, affine = 16; /* 1/16 code */
+    for (int i = 0; i < 3; i++) {
+        choice->weight_q15[i] = 32768;
+    }
+    /* r - 1 = (1 - u) / u, u the least weight; below, 1 - u up to 1/4 */
+    const uint32_t drop_q16 = ONE_Q16 - least_q16;
+    if (!affine_serves(bound->turned, bound->chord_q16, drop_q16 + drop_q16 / 2)) {
+        affine = 0;
+        weight_q16 = least_q16;
+        for (int i = 0; i < 3; i++) {
+            const uint32_t u_q30 =
+                multiply_high_u32((uint32_t)(inverse_depth[i] > 0 ? inverse_depth[i] : 0) << zeros, r);
+            choice->weight_q15[i] = (uint16_t)((u_q30 + (1 << 14)) >> 15);
+        }
+    } else if (drop_q16 == 0 || bound->chord_q16 == 0) {
+        affine = 0;
+    }
+    /* y up to 1 - u^2 (1 - D/3); D/3 rounded up */
+    const uint32_t third = bound->chord_q16 / 3 + 1;
+    const uint32_t rest = third < ONE_Q16 ? ONE_Q16 - third : 0;
+    const uint32_t square = weight_q16 == ONE_Q16 ? rest : multiply_high_u32(weight_q16 * (weight_q16 >> 1) * 2, rest);
+    const uint8_t class = glint_curve_class(ONE_Q16 - square + 2);
+    if (class == GLINT_CURVE_CLASSES) {
+        return;
+    }
+    glint_curve_of(class, 0, &choice->curve);
+    choice->longest_q15 =
+        choice->curve.c_q15[0] + ((choice->curve.c_q15[0] * (uint32_t)choice->curve.error_q16) >> 16) + 1;
+    for (uint8_t tier = GLINT_TIER_GOURAUD; tier <= GLINT_TIER_Q2; tier++) {
+        glint_curve_of(class, (uint8_t)(tier - GLINT_TIER_GOURAUD), &choice->curve);
+        const uint32_t error = HALF_CODE + bound->fixed + affine +
+                               (bound->left > bound->gloss ? bound->left : bound->gloss) +
+                               (multiply_high_u32(bound->diffuse << 8, (uint32_t)choice->curve.error_q16 << 8) + 1);
+        if (tier >= least &&
+            (tolerance == 0 || error <= (uint32_t)tolerance * (GLINT_CODE_UNITS / 16) || tier == greatest)) {
+            choice->tier = tier;
+            choice->promise = error > UINT16_MAX ? UINT16_MAX : (uint16_t)error;
+            return;
+        }
+    }
+}

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * How far cheap shading may be off on one triangle, and which tier of it fits a tolerance. Integers, compiled once for
+ * both backends.
+ *
+ * N, the interpolated normal, is linear over the triangle and shorter than 1: with corner normals n_i of unit length
+ * and D the greatest |n_i - n_j|^2, 1 - D/3 <= |N|^2 <= 1. With corners weighted by u_i = (1/w_i) / (greatest 1/w), M =
+ * sum of u_i n_i on the screen has the direction of the perspective-correct normal exactly, and u^2 (1 - D/3) <= |M|^2
+ * <= 1 with u the least weight. So a cosine is s |M|^-1 with s = M.l linear on the screen, and only the function
+ * x^(-1/2) of x = |M|^2, a quadratic on the screen, has to be approximated, once for all lights: by a constant
+ * (Gouraud), a polynomial of first degree (q1) or of second degree (q2) in 1 - x. A table gives each approximation, and
+ * its greatest relative error, for the range of 1 - x that it is used on.
+ */
+#ifndef GLINT_LIGHTING_BOUND_H
+#define GLINT_LIGHTING_BOUND_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include <glint/quality.h>
+
+/* Errors and peaks are in 1/256 code. */
+#define GLINT_CODE_UNITS 256
+
+/* The polynomial c0 + c1 y + c2 y^2, y = 1 - x, and its relative error. */
+typedef struct glint_curve {
+    uint16_t c_q15[3];
+    uint16_t error_q16;
+} glint_curve;
+
+#define GLINT_CURVE_DEGREES 3 /* 0: Gouraud, 1: q1, 2: q2 */
+
+/* The class of a range of y, 0..GLINT_CURVE_CLASSES - 1, or GLINT_CURVE_CLASSES beyond the last. */
+uint8_t glint_curve_class(uint32_t y_q16);
+void glint_curve_of(uint8_t class, uint8_t degree, glint_curve *curve);
+
+/* A reflected light in 1/256 code: 255 of them are 1 (32768). */
+static inline uint32_t glint_bound_codes(uint32_t light_q15)
+{
+    return (light_q15 * 255 + 127) >> 7;
+}
+
+/* What a left out highlight may add: 1/16 code. */
+#define GLINT_HIGHLIGHT_LEFT (GLINT_CODE_UNITS / 16)
+
+/*
+ * Rounding below the exact tier: that of a cosine is at most 2^-13 (1.2e-4): light direction 2.6e-5, corner normals and
+ * weights 3.5e-5, the cosine's field and its cut to Q15 2.5e-5, the length's to Q14 3e-5; that of the sum 3 units.
+ */
+static inline uint32_t glint_bound_rounding(uint32_t bright)
+{
+    return (bright >> 13) + 3;
+}
+
+/* The same of a specular term at the exact tier: its slope, at most 0.607 sqrt(exponent), times the angle between two
+ * directions that rounding moves by at most 2.5e-4. */
+uint32_t glint_bound_gloss(uint32_t specular, uint16_t exponent_q4);
+
+/* What a highlight changes when the normal turns by a radian: r turns twice as far. */
+uint32_t glint_bound_turned(uint32_t specular, uint16_t exponent_q4);
+
+/* Angles in radians, Q15. A right angle is 51472. */
+#define GLINT_FAR_Q15 ((uint32_t)1 << 17)
+
+/* The greatest angle at which specular cos^exponent is above GLINT_HIGHLIGHT_LEFT: cos a <= exp(-a^2 / 2). */
+uint32_t glint_bound_highlight_q15(uint32_t specular, uint16_t exponent_q4);
+/* An angle whose cosine is 1 - gap is at least sqrt(2 gap). */
+uint32_t glint_bound_angle_least_q15(uint32_t gap_q15);
+/* Twice the distance from any point of the triangle on the unit sphere to the nearest corner: with sides of at most a =
+ * 2 asin(sqrt(D) / 2) <= sqrt(D) (1 + D / 20) for D <= 1, at most 0.6 a. */
+uint32_t glint_bound_spread_q15(uint32_t chord_q16);
+/* (1 - D/3)^(-1/2) - 1, at least */
+uint32_t glint_bound_longer_q15(uint32_t chord_q16);
+
+/* A table of cos^exponent by 1 - cosine, up to the gap of an angle: a / 2 in cells of 2^bits, Q28. */
+#define GLINT_GLOSS_CELLS 512
+void glint_bound_gloss_table(uint32_t angle_q15, uint8_t *bits, uint16_t *cells);
+
+/* What linear interpolation in it errs by: (exponent cell)^2 / 8 of the specular peak; and a unit of rounding. */
+uint32_t glint_bound_gloss_error(uint32_t specular, uint16_t exponent_q4, uint8_t bits);
+
+/* An angle beyond which 1 - cosine is above `gap` although it errs by as much as costs `error`, at `gloss` a unit:
+ * acos(1 - g) <= sqrt(2 g) (1 + g / 8) for g <= 1. */
+uint32_t glint_bound_shows_q15(uint32_t gap_q28, uint32_t error, uint32_t gloss);
+
+/* rate times factor (Q15), rounded up; saturates. */
+static inline uint32_t glint_bound_scale(uint32_t rate, uint32_t factor_q15)
+{
+    return rate >> 26 ? UINT32_MAX : ((rate >> 4) + 1) * ((factor_q15 >> 7) + 1) >> 4;
+}
+
+/* Pixels that are clear of a highlight: what the angle of a cosine 1 - gap is beyond `highlight`, over `turn` (Q20) a
+ * pixel; the latter as its inverse, pixels a unit of Q15 in Q20, at least 1. */
+uint32_t glint_bound_per_turn_q20(uint32_t turn_q20);
+int32_t glint_bound_clear(uint32_t gap_q31, uint32_t highlight_q15, uint32_t per_turn_q20);
+
+/*
+ * The specular term's error when 1 - cosine is taken at every 2^log2th pixel and is quadratic between: 1/256 code.
+ *
+ * Along a row M is linear, so n runs along a great circle; with psi its angle from the point of the line nearest to the
+ * origin and k >= |M'| / |M|, the first three derivatives of its angle are k cos psi, k^2 sin 2 psi and k^3 cos psi
+ * (6 sin^2 psi - 2 cos^2 psi). r runs along a circle at twice that angle; its derivatives are at most 2 k, 4 k^2 and
+ * 12 k^3. Those of c, at its own angle, are at most v, 1.16 v^2 and 3 v^3. So the third derivative of r.c is at most
+ * 12 k^3 + 12 k^2 v + 7 k v^2 + 3 v^3. With h = (s + c) / |s + c|, |s + c| >= 1, that of n.h is at most 3 k^3 +
+ * 4 k^2 v + 10 k v^2 + 20 v^3. The polynomial errs by 0.0642 of it times the cube of the distance, the power by
+ * `exponent` times that. UINT32_MAX where the turns are too great. gloss = specular peak times exponent.
+ */
+uint32_t glint_bound_quadratic(uint32_t gloss, uint32_t normal_q20, uint32_t view_q20, int log2);
+
+/* What is known of a triangle before it is drawn. */
+typedef struct glint_bound {
+    uint32_t diffuse;     /* 1/256 code: what the lights that reach it can add, the channel with the most */
+    uint32_t turned;      /* 1/256 code: what a turn of the normal by a radian changes at most, highlights included */
+    uint32_t left, gloss; /* 1/256 code: highlights where they are left out, and errors of them where they are not */
+    uint32_t fixed;       /* 1/256 code: rounding and table errors of the tiers below exact */
+    uint32_t exact;       /* 1/256 code: error of the exact tier, rounding of the result included */
+    uint32_t flat;        /* the same of one colour for all of it */
+    uint32_t chord_q16;   /* D, rounded up */
+} glint_bound;
+
+/* The choice for a triangle. */
+typedef struct glint_choice {
+    uint8_t tier;
+    uint16_t promise;       /* 1/256 code */
+    uint16_t weight_q15[3]; /* u of each corner; all 32768 where perspective need not be corrected */
+    glint_curve curve;      /* of tiers Gouraud to q2 */
+    uint32_t longest_q15;   /* 1/|M| at most; for tiers Gouraud to q2 */
+} glint_choice;
+
+/*
+ * The cheapest tier for corners of these inverse depths (in any common scale, > 0), within `tolerance` (1/16 code; 0:
+ * any); not below `least` nor above GLINT_TIER_EXACT. When none below exact fits, it is exact.
+ */
+void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3], uint8_t tolerance, uint8_t least,
+                        uint8_t greatest, glint_choice *choice);
+
+#endif
