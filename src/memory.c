@@ -30,7 +30,9 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     needs->objects = (uint64_t)scene->object_count * whole_words(object_bytes);
     needs->lights = (uint64_t)scene->object_count * scene->light_count * whole_words(light_bytes);
     needs->triangle_count = (uint32_t)triangle_count; /* at most 65535^2 */
-    needs->bands = needs->band_count > 1 && triangle_count < GLINT_NO_TRIANGLE ? whole_words((triangle_count + needs->band_count) * 2) : 0;
+    needs->bands = needs->band_count > 1 && triangle_count < GLINT_NO_TRIANGLE
+                       ? whole_words((triangle_count + needs->band_count) * 2)
+                       : 0;
     needs->vertices = vertex_count * sizeof(glint_screen_vertex);
     needs->least = needs->objects + needs->lights + needs->buffers + needs->depth;
     needs->full = needs->least + needs->bands + needs->vertices;

@@ -60,7 +60,7 @@ typedef struct glint_display {
     uint8_t dither;               /* GLINT_DITHER_NONE ... */
     uint8_t buffer_count;         /* 1 (0 means 1), or 2: one is drawn while the other is sent; needs `transfers` */
     uint32_t stride_bytes;        /* from a row (page) to the next in memory; 0: rows without gap; at most
-                            * 0xfffff; even for 16-bit pixels */
+                                   * 0xfffff; even for 16-bit pixels */
     glint_flush flush;
     void *context;               /* handed to `flush` and `wait` */
     glint_transfers *transfers;  /* NULL: `flush` returns when the pixels have been taken */

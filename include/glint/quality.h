@@ -19,8 +19,8 @@ extern "C" {
  * Gouraud: the model at each corner with its own normal, clamped to 0..1, then interpolated linearly on the screen
  * (without perspective correction). flat:    the model at the triangle's centroid (mean of the three corners, before
  * clipping) with the face normal.
- * q1, q2:  as exact, with 1/|n| by a polynomial of first or second degree in 1 - |n|^2 (see tiers below); exact where the
- *          triangle is beyond what they serve.
+ * q1, q2:  as exact, with 1/|n| by a polynomial of first or second degree in 1 - |n|^2 (see tiers below); exact where
+ * the triangle is beyond what they serve.
  */
 enum {
     GLINT_SHADING_EXACT = 0,   /* the model at each pixel, with the perspective-correct, renormalised normal */

@@ -191,9 +191,10 @@ void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3]
     choice->tier = GLINT_TIER_EXACT;
     choice->promise = bound->exact > UINT16_MAX ? UINT16_MAX : (uint16_t)bound->exact;
     /* 1/high = r 2^(zeros - 62) */
-    const int zeros = clz32((uint32_t)high | 1);
-    const uint32_t r = glint_reciprocal_q31(((uint32_t)high | 1) << zeros);
-    const uint32_t least_q16 = multiply_high_u32((uint32_t)(low > 0 ? low : 0) << zeros, r) >> 14;
+    const uint32_t divisor = high > 0 ? (uint32_t)high : 1;
+    const int zeros = clz32(divisor) & 31;
+    const uint32_t r = glint_reciprocal_q31(divisor << zeros);
+    const uint32_t least_q16 = multiply_high_u32((uint32_t)positive_part(low) << zeros, r) >> 14;
     uint32_t weight_q16 = ONE_Q16, affine = 16; /* 1/16 code */
     for (int i = 0; i < 3; i++) {
         choice->weight_q15[i] = 32768;
@@ -204,26 +205,26 @@ void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3]
         affine = 0;
         weight_q16 = least_q16;
         for (int i = 0; i < 3; i++) {
-            const uint32_t u_q30 =
-                multiply_high_u32((uint32_t)(inverse_depth[i] > 0 ? inverse_depth[i] : 0) << zeros, r);
+            const uint32_t u_q30 = multiply_high_u32((uint32_t)positive_part(inverse_depth[i]) << zeros, r);
             choice->weight_q15[i] = (uint16_t)((u_q30 + (1 << 14)) >> 15);
         }
     } else if (drop_q16 == 0 || bound->chord_q16 == 0) {
         affine = 0;
     }
-    /* y up to 1 - u^2 (1 - D/3); D/3 rounded up */
-    const uint32_t third = bound->chord_q16 / 3 + 1;
+    /* y up to 1 - u^2 (1 - D/3), and 16 units for stored normals that are shorter than 1; D/3 rounded up */
+    const uint32_t third = bound->chord_q16 < 2 * ONE_Q16 ? ((bound->chord_q16 * 21846) >> 16) + 1 : ONE_Q16;
     const uint32_t rest = third < ONE_Q16 ? ONE_Q16 - third : 0;
     const uint32_t square = weight_q16 == ONE_Q16 ? rest : multiply_high_u32(weight_q16 * (weight_q16 >> 1) * 2, rest);
-    const uint8_t class = glint_curve_class(ONE_Q16 - square + 2);
+    const uint8_t class = glint_curve_class(ONE_Q16 - square + 16);
     if (class == GLINT_CURVE_CLASSES) {
         return;
     }
     glint_curve_of(class, 0, &choice->curve);
     choice->longest_q15 =
         choice->curve.c_q15[0] + ((choice->curve.c_q15[0] * (uint32_t)choice->curve.error_q16) >> 16) + 1;
-    for (uint8_t tier = GLINT_TIER_GOURAUD; tier <= GLINT_TIER_Q2; tier++) {
-        glint_curve_of(class, (uint8_t)(tier - GLINT_TIER_GOURAUD), &choice->curve);
+    for (uint8_t degree = 0; degree < GLINT_CURVE_DEGREES; degree++) {
+        const uint8_t tier = (uint8_t)(GLINT_TIER_GOURAUD + degree);
+        glint_curve_of(class, degree, &choice->curve);
         const uint32_t error = HALF_CODE + bound->fixed + affine +
                                (bound->left > bound->gloss ? bound->left : bound->gloss) +
                                (multiply_high_u32(bound->diffuse << 8, (uint32_t)choice->curve.error_q16 << 8) + 1);

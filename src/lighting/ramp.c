@@ -85,7 +85,7 @@ void glint_ramp_set_up(glint_ramp *ramp, const glint_scene *scene, const glint_m
 
 uint16_t glint_ramp_share_q15(const glint_ramp *ramp, uint32_t product_q15)
 {
-    const int zeros = clz32(ramp->full_q15);
+    const int zeros = clz32(ramp->full_q15) & 31; /* full is not 0 */
     const uint32_t r = glint_reciprocal_q31(ramp->full_q15 << zeros);
     /* 2^30 product / full, at most 2^30; 15/16 of it in Q15 */
     const uint32_t share_q30 = multiply_high_u32(product_q15 << zeros, r);

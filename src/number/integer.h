@@ -42,6 +42,15 @@ typedef char glint_assert_arithmetic_shift[(-3 >> 1) == -2 && (int32_t)0xfffffff
 #define GLINT_TRACE(quantity, value) ((void)0)
 #endif
 
+/*
+ * Shows a triangle whose pixels are about to be shaded: its shade_state, complete, and the error promised for its
+ * pixels in 1/256 code. What runs its pixels is in shade_state.run, so the tolerance's test, which defines this, puts a
+ * function of its own there, and knows of each pixel whose promise it stands under. In every other build it is nothing.
+ */
+#ifndef GLINT_OBSERVE
+#define GLINT_OBSERVE(shade, promise) ((void)0)
+#endif
+
 /* Reads constant data that may live in program memory. */
 #if defined(__AVR__)
 static inline uint8_t flash_u8(const uint8_t *address)
@@ -123,6 +132,12 @@ static inline int32_t with_sign_of(int32_t value, uint32_t magnitude)
 {
     const uint32_t sign = 0u - ((uint32_t)value >> 31);
     return (int32_t)((magnitude ^ sign) - sign);
+}
+
+/* max(0, value), without a branch */
+static inline int32_t positive_part(int32_t value)
+{
+    return (int32_t)((uint32_t)value & ~(0u - ((uint32_t)value >> 31)));
 }
 
 static inline uint64_t magnitude64(int64_t value)

@@ -156,8 +156,9 @@ static inline bool field_square_set_up(field_square *field, const attribute_plan
         field->x = field->y = field->xx = field->xy = field->yy = 0;
         return true;
     }
-    if (up < 0) {
-        return false;
+    if (up < 0 || magnitude32(value_q15[0]) > 32768 || magnitude32(value_q15[1]) > 32768 ||
+        magnitude32(value_q15[2]) > 32768) {
+        return false; /* steep, or so small that M at the anchor lies far outside */
     }
     for (int k = 0; k < 3; k++) {
         x[k] = (int32_t)(normal[k].step_x << up); /* Q(29 + up), 30 bits */
@@ -235,7 +236,7 @@ static inline int32_t field_cosine(int32_t s, int32_t length_q14)
 static inline int32_t field_share(int32_t s, int32_t length_q14)
 {
     const int32_t t = (s >> 13) * length_q14;
-    return t & ~(t >> 31);
+    return positive_part(t);
 }
 
 static inline uint16_t field_step(int32_t t)
@@ -255,7 +256,7 @@ static inline int32_t field_gloss(int32_t factor, int32_t share)
 static inline void light_add_channel(light_sum *sum, int channel, int32_t s, int32_t length_q14)
 {
     const int32_t light = ((s >> 12) * length_q14) >> 12; /* |s| <= 4, the length at most sqrt(2): 2^16 2^14.5 */
-    sum->q16[channel] += (uint32_t)(light & ~(light >> 31));
+    sum->q16[channel] += (uint32_t)positive_part(light);
 }
 
 /*
@@ -268,7 +269,7 @@ static inline void field_run_first(uint16_t *at, const uint16_t *end, const uint
     uint32_t value = row.value, slope = row.step;
     do {
         const int32_t t = (s >> 13) * (int32_t)(value >> 16);
-        *at++ = pixel[(t & ~(t >> 31)) >> 19];
+        *at++ = pixel[positive_part(t) >> 19];
         s = (int32_t)((uint32_t)s + step);
         value += slope;
         slope += bend;

@@ -9,11 +9,11 @@
 #include "raster/plane.h"
 
 /* Budgets, as raster/gradients.h and raster/plane.h state them. */
-#define GRADIENT_ULP 2.0L                                     /* of the last bit, and ... */
-#define GRADIENT_RELATIVE_LOG2 (-27.8L)                       /* of the gradient */
-#define PLANE_PER_PIXEL 12.5L                                 /* units a pixel from the anchor, and ... */
-#define PLANE_UNITS 8.0L                                      /* at the anchor */
-#define WEIGHT_LOG2 (-27.0L)                                  /* before clamping */
+#define GRADIENT_ULP 2.0L                /* of the last bit, and ... */
+#define GRADIENT_RELATIVE_LOG2 (-27.8L)  /* of the gradient */
+#define PLANE_PER_PIXEL 12.5L            /* units a pixel from the anchor, and ... */
+#define PLANE_UNITS 8.0L                 /* at the anchor */
+#define WEIGHT_LOG2 (-27.0L)             /* before clamping */
 #define OUTSIDE_PER_GRADIENT 0.00390625L /* coordinates beyond 0..1, times the gradient a pixel: 2^-8 */
 
 #define ONE_Q30 1073741824.0L
