@@ -79,7 +79,7 @@ const char *glint_error_text(int error)
     case GLINT_ERROR_MEMORY_SIZE:
         return "the memory is smaller than the least that the scene and display need";
     case GLINT_ERROR_MEMORY_ALIGNMENT:
-        return "the memory is not aligned to 4 bytes";
+        return "the memory is not aligned like a uint32_t";
     }
     return "unknown error";
 }

@@ -64,7 +64,7 @@ typedef enum glint_error {
 
     /* memory */
     GLINT_ERROR_MEMORY_SIZE = -70,     /* less than glint_*_memory_least_bytes() */
-    GLINT_ERROR_MEMORY_ALIGNMENT = -71 /* not aligned to 4 bytes */
+    GLINT_ERROR_MEMORY_ALIGNMENT = -71 /* not aligned like a uint32_t */
 } glint_error;
 
 /* A sentence in English for an error code, never NULL; "unknown error" for any other number. The sentences take 2 KB of

@@ -20,7 +20,7 @@ extern "C" {
  * Draws one frame of `scene` on `display`. Needs no state from one call to the next, and may run in several threads
  * or interrupts at once with separate memory.
  *
- * memory: `memory_bytes` bytes, aligned to 4, free for other uses after the return. With at least
+ * memory: `memory_bytes` bytes, aligned like a uint32_t, free for other uses after the return. With at least
  * glint_fixed_memory_bytes() each vertex is transformed once a frame; with less, down to
  * glint_fixed_memory_least_bytes(), vertices are transformed again for each band: slower, the same image.
  * report: may be NULL.

@@ -40,7 +40,8 @@ enum {
  * exact:   N normalised at each pixel.
  *
  * The error counts against the model in real numbers with the perspective-correct, renormalised normal, in codes of
- * 1/255 of a channel before the display's own quantisation; 1/2 of it is the rounding to whole codes. The formulas and
+ * 1/255 of a channel before the display's own quantisation; 1/2 of it is the rounding to whole codes. Not counted is
+ * what moving the surface by 2^-12 px changes, to which vertices are rounded. The formulas and
  * the bounds are in lighting/bound.h.
  */
 enum {

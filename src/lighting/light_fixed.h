@@ -318,15 +318,16 @@ static inline void light_fold(real sum[3], const real towards[3], real share)
     }
 }
 
-/* ... or by each channel of their colour, Q13. Products of at most 4 in all (see lit_material.tiers) keep it below
- * 2^15.
+/* ... or by each channel of their colour, Q28. Products of at most 4 in all (see lit_material.tiers) keep it within
+ * 2^30.
  */
 static inline void light_fold_channels(real sum[3][3], const real towards[3], const light_product *product)
 {
     for (int c = 0; c < 3; c++) {
-        const int32_t factor = (int32_t)(product->q15[c] >> 2); /* <= 2^14 */
+        /* the product has 17 bits: its last one apart */
+        const int32_t half = (int32_t)(product->q15[c] >> 1), last = (int32_t)(product->q15[c] & 1);
         for (int k = 0; k < 3; k++) {
-            sum[c][k] += (towards[k] * factor + (1 << 14)) >> 15;
+            sum[c][k] += ((towards[k] * half) >> 1) + ((towards[k] * last) >> 2);
         }
     }
 }

@@ -35,6 +35,10 @@ void glint_ramp_set_up(glint_ramp *ramp, const glint_scene *scene, const glint_m
     int32_t diffuse[3], specular[3], ambient[3], ambient_light[3], first[3] = {0, 0, 0};
     uint32_t total_q14[3] = {0, 0, 0};
     ramp->usable = false;
+    ramp->channel = 0;
+    ramp->full_q15 = 0;
+    ramp->error_q8 = 0;
+    ramp->specular = false;
     channels(&material->diffuse, diffuse);
     channels(&material->specular, specular);
     channels(&material->ambient, ambient);

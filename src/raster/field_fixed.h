@@ -18,7 +18,9 @@ static inline void field_unit(int32_t x, int32_t y, int32_t z, real out[3])
 {
     const int32_t half = 1 << 13;
     const int32_t u = (x + half) >> 14, v = (y + half) >> 14, w = (z + half) >> 14;
-    const uint32_t square = (uint32_t)(u * u) + (uint32_t)(v * v) + (uint32_t)(w * w);
+    const uint32_t beyond = (uint32_t)(u + 32768) | (uint32_t)(v + 32768) | (uint32_t)(w + 32768);
+    const uint32_t square =
+        beyond >> 16 ? 0 : (uint32_t)(u * u) + (uint32_t)(v * v) + (uint32_t)(w * w); /* <= 3 2^30 */
     if (square - ((uint32_t)1 << 28) >= ((uint32_t)1 << 30) - ((uint32_t)1 << 28)) {
         const int32_t any[3] = {x, y, z};
         (void)glint_unit_q15(any, out); /* beyond the triangle, or by rounding */
@@ -105,6 +107,19 @@ static inline void field_dot(attribute_plane *dot, const attribute_plane normal[
     dot->value = (uint32_t)value + (1 << 12); /* half of what field_cosine() drops */
     dot->step_x = (uint32_t)x;
     dot->step_y = (uint32_t)y;
+}
+
+/* M . v in Q26 for the sum of folded lights in one channel, Q28: v is cut to 16 bits for the products. */
+static inline void field_dot_channel(attribute_plane *dot, const attribute_plane normal[3], const real v_q28[3])
+{
+    const uint32_t any = magnitude32(v_q28[0]) | magnitude32(v_q28[1]) | magnitude32(v_q28[2]);
+    const int down = 32 - clz32(any) > 14 ? 32 - clz32(any) - 14 : 0; /* at most 17: 4 in Q28 has 31 bits */
+    const real v[3] = {shift_round32(v_q28[0], down), shift_round32(v_q28[1], down), shift_round32(v_q28[2], down)};
+    field_dot(dot, normal, v);
+    /* Q29 Q(28 - down) / 2^16 = Q(41 - down) */
+    dot->value = (uint32_t)shift_round32((int32_t)(dot->value - (1 << 12)), 15 - down) + (1 << 11);
+    dot->step_x = (uint32_t)shift_round32((int32_t)dot->step_x, 15 - down);
+    dot->step_y = (uint32_t)shift_round32((int32_t)dot->step_y, 15 - down);
 }
 
 /* A cosine's field (Q28) times a share: Q28 again. */

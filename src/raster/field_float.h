@@ -51,6 +51,11 @@ static inline void field_dot(attribute_plane *dot, const attribute_plane normal[
     dot->step_y = normal[0].step_y * v[0] + normal[1].step_y * v[1] + normal[2].step_y * v[2];
 }
 
+static inline void field_dot_channel(attribute_plane *dot, const attribute_plane normal[3], const real v[3])
+{
+    field_dot(dot, normal, v);
+}
+
 static inline void field_scale(attribute_plane *field, real share)
 {
     field->value *= share;
