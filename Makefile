@@ -52,6 +52,7 @@ LIBRARY_SOURCES := $(sort $(call rwildcard,src,%.c))
 SCENE_SOURCES := $(sort $(wildcard examples/meshes/*.c examples/scenes/*.c))
 HOST_SOURCES := $(sort $(wildcard tests/reference/*.c tools/picture/*.c tools/import/*.c))
 RENDER_SOURCES := $(sort $(wildcard examples/render/*.c))
+OBSERVED_SOURCES := $(wildcard src/backend/*.c)
 TOOL_SOURCES := $(sort $(wildcard tools/*.c))
 MESH_TOOL_SOURCES := $(sort $(wildcard tools/mesh/*.c))
 TEST_SOURCES := $(sort $(wildcard tests/unit/test_*.c tests/image/test_*.c tests/hard/test_*.c \
@@ -151,7 +152,15 @@ $(eval $(call archive,$(LIBRARY),$(LIBRARY_SOURCES)))
 $(eval $(call archive,$(SCENES),$(SCENE_SOURCES)))
 $(eval $(call archive,$(HOST),$(HOST_SOURCES)))
 
-$(B)/glint-render: $(call objects,$(RENDER_SOURCES)) $(HOST_ARCHIVES)
+# The renderer holds a second copy of the backends, which tells of each pixel: see examples/render/observed_backend.h.
+# The library's own is what is counted as covered.
+OBSERVED := $(patsubst src/backend/%.c,$(B)/obj/observed/%.o,$(OBSERVED_SOURCES))
+$(OBSERVED): $(B)/obj/observed/%.o: src/backend/%.c $(LIBRARY_STAMPS)
+	@mkdir -p $(@D)
+	$(call run,CC  )$(CC) $(filter-out --coverage -fprofile-%,$(LIBRARY_FLAGS)) \
+		-include examples/render/observed_backend.h -MMD -MP -c $< -o $@
+
+$(B)/glint-render: $(call objects,$(RENDER_SOURCES)) $(OBSERVED) $(HOST_ARCHIVES)
 	$(call run,LINK)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(OPTIONAL_LIBS) -lm
 
 $(TOOLS): $(B)/%: $(B)/obj/tools/%.o $(HOST_ARCHIVES)
@@ -167,7 +176,7 @@ $(TESTS): $(B)/%: $(B)/obj/%.o $(HOST_ARCHIVES)
 
 ALL_SOURCES := $(LIBRARY_SOURCES) $(SCENE_SOURCES) $(HOST_SOURCES) $(RENDER_SOURCES) $(TOOL_SOURCES) \
 	$(MESH_TOOL_SOURCES) $(TEST_SOURCES)
--include $(patsubst %.o,%.d,$(call objects,$(ALL_SOURCES)))
+-include $(patsubst %.o,%.d,$(call objects,$(ALL_SOURCES)) $(OBSERVED))
 
 include tools/make/test.mk
 include tools/make/target.mk

@@ -15,6 +15,7 @@
 #include <glint/float.h>
 
 #include "examples/scenes/scenes.h"
+#include "observe.h"
 #include "options.h"
 #include "output.h"
 #include "panel.h"
@@ -115,21 +116,29 @@ static int load_scene(const options *o, loaded_scene *out, char *error, size_t e
 /* ------------------------------------------------------------------------------------------------------------ drawing
  */
 
-/* What there is of each of the library's backends. */
+typedef int (*render_function)(const glint_scene *, const glint_display *, const glint_quality *, void *, size_t,
+                               glint_report *);
+
+/* What there is of each of the library's backends, and the copy of it that tells of each pixel. */
 static const struct {
-    int (*render)(const glint_scene *, const glint_display *, const glint_quality *, void *, size_t, glint_report *);
+    render_function render, render_observed;
     size_t (*memory_bytes)(const glint_scene *, const glint_display *);
     size_t (*memory_least_bytes)(const glint_scene *, const glint_display *);
 } backends[] = {
-    [BACKEND_FIXED] = {glint_fixed_render, glint_fixed_memory_bytes, glint_fixed_memory_least_bytes},
-    [BACKEND_FLOAT] = {glint_float_render, glint_float_memory_bytes, glint_float_memory_least_bytes},
+    [BACKEND_FIXED] = {glint_fixed_render, observed_fixed_render, glint_fixed_memory_bytes,
+                       glint_fixed_memory_least_bytes},
+    [BACKEND_FLOAT] = {glint_float_render, observed_float_render, glint_float_memory_bytes,
+                       glint_float_memory_least_bytes},
 };
 
-/* Draws with a backend of the library. *memory_bytes: in: 0, or the memory to give; out: the memory given. */
+/* Draws with a backend of the library. *memory_bytes: in: 0, or the memory to give; out: the memory given. `seen` is
+ * filled only if the options ask for what it has. */
 static int draw(const options *o, const loaded_scene *loaded, uint8_t *rgb, size_t *memory_bytes, glint_report *report,
-                char *error, size_t error_bytes)
+                observation *seen, char *error, size_t error_bytes)
 {
-    const glint_quality quality = {.shading = o->shading};
+    const bool observed = o->tiers != NULL || o->promise != NULL;
+    const render_function render = observed ? backends[o->backend].render_observed : backends[o->backend].render;
+    const glint_quality quality = {.shading = o->shading, .tolerance = o->tolerance};
     panel screen = {.rgb = rgb, .width_px = loaded->width_px, .height_px = loaded->height_px, .format = o->format};
     const glint_display display = panel_display(&screen, o->band_px, o->dither, o->buffer_count);
 
@@ -138,11 +147,13 @@ static int draw(const options *o, const loaded_scene *loaded, uint8_t *rgb, size
     }
     /* The size functions give 0 for a scene that is not valid; rendering then says what is wrong with it. */
     void *memory = malloc(*memory_bytes == 0 ? sizeof(uint32_t) : *memory_bytes);
-    if (memory == NULL) {
+    if (memory == NULL || (observed && observe_begin(seen, loaded->width_px, loaded->height_px) != 0)) {
         (void)snprintf(error, error_bytes, "out of memory: %zu bytes", *memory_bytes);
+        free(memory);
         return STATUS_FAILED;
     }
-    const int result = backends[o->backend].render(&loaded->scene, &display, &quality, memory, *memory_bytes, report);
+    const int result = render(&loaded->scene, &display, &quality, memory, *memory_bytes, report);
+    observe_end();
     panel_finish(&screen);
     free(memory);
 
@@ -180,34 +191,80 @@ static int draw_reference(const options *o, const loaded_scene *loaded, uint8_t 
     return result == 0 ? STATUS_GOOD : STATUS_FAILED;
 }
 
+/* ------------------------------------------------------------------------------------------------------------ writing
+ */
+
+/* What is written beside the picture, each in its own file. */
+enum { FILE_REPORT, FILE_EDGES, FILE_TIERS, FILE_PROMISE, FILE_COUNT };
+
+/* The tiers and promises that were asked for. */
+static int write_observation(const options *o, const observation *seen, output *files, char *error, size_t error_bytes)
+{
+    picture shown = {0};
+    int result = picture_create(&shown, seen->width_px, seen->height_px, error, error_bytes);
+    if (result == 0 && o->tiers != NULL) {
+        output_tiers(seen, &shown);
+        result = output_picture(&files[FILE_TIERS], o->tiers, &shown, error, error_bytes);
+    }
+    if (result == 0 && o->promise != NULL && options_is_png(o->promise)) {
+        output_promise(seen, &shown);
+        result = output_picture(&files[FILE_PROMISE], o->promise, &shown, error, error_bytes);
+    } else if (result == 0 && o->promise != NULL) {
+        result = output_open(&files[FILE_PROMISE], o->promise, error, error_bytes);
+        if (result == 0) {
+            output_promise_pgm(files[FILE_PROMISE].file, seen);
+            result = output_close(&files[FILE_PROMISE], error, error_bytes);
+        }
+    }
+    picture_free(&shown);
+    return result;
+}
+
+static int draw_and_observe(const options *o, const loaded_scene *loaded, uint8_t *rgb, size_t *memory_bytes,
+                            glint_report *report, output *files, char *error, size_t error_bytes)
+{
+    observation seen = {0};
+    int status = draw(o, loaded, rgb, memory_bytes, report, &seen, error, error_bytes);
+    if (status == STATUS_GOOD && seen.tier != NULL && write_observation(o, &seen, files, error, error_bytes) != 0) {
+        status = STATUS_FAILED;
+    }
+    observation_free(&seen);
+    return status;
+}
+
 /* Draws and writes everything: all files are complete before the first is put in its place. */
-static int draw_and_write(const options *o, const loaded_scene *loaded, picture *image, output *report_file,
-                          output *edges_file, char *error, size_t error_bytes)
+static int draw_and_write(const options *o, const loaded_scene *loaded, picture *image, output *files, char *error,
+                          size_t error_bytes)
 {
     glint_report report = {0};
     size_t memory_bytes = o->memory_bytes;
     int status;
 
     if (o->backend == BACKEND_REFERENCE) {
-        status = draw_reference(o, loaded, image->rgb, edges_file, error, error_bytes);
+        status = draw_reference(o, loaded, image->rgb, &files[FILE_EDGES], error, error_bytes);
     } else {
-        status = draw(o, loaded, image->rgb, &memory_bytes, &report, error, error_bytes);
+        status = draw_and_observe(o, loaded, image->rgb, &memory_bytes, &report, files, error, error_bytes);
     }
     if (status != STATUS_GOOD) {
         return status;
     }
     if (o->report != NULL) {
-        if (output_open(report_file, o->report, error, error_bytes) != 0) {
+        output *file = &files[FILE_REPORT];
+        if (output_open(file, o->report, error, error_bytes) != 0) {
             return STATUS_FAILED;
         }
-        output_report(report_file->file, o, loaded->width_px, loaded->height_px, memory_bytes, &report);
-        if (output_close(report_file, error, error_bytes) != 0) {
+        output_report(file->file, o, loaded->width_px, loaded->height_px, memory_bytes, &report);
+        if (output_close(file, error, error_bytes) != 0) {
             return STATUS_FAILED;
         }
     }
-    if (picture_write(o->output, image, error, error_bytes) != 0 ||
-        output_place(report_file, error, error_bytes) != 0 || output_place(edges_file, error, error_bytes) != 0) {
+    if (picture_write(o->output, image, error, error_bytes) != 0) {
         return STATUS_FAILED;
+    }
+    for (int i = 0; i < FILE_COUNT; i++) {
+        if (output_place(&files[i], error, error_bytes) != 0) {
+            return STATUS_FAILED;
+        }
     }
     return STATUS_GOOD;
 }
@@ -216,7 +273,7 @@ static int run(const options *o, char *error, size_t error_bytes)
 {
     loaded_scene loaded = {0};
     picture image = {0};
-    output report_file = {0}, edges_file = {0};
+    output files[FILE_COUNT] = {{0}};
 
     int status = load_scene(o, &loaded, error, error_bytes);
     if (status == STATUS_GOOD && options_check_height(o, loaded.height_px, error, error_bytes) != 0) {
@@ -226,10 +283,11 @@ static int run(const options *o, char *error, size_t error_bytes)
         status = STATUS_FAILED;
     }
     if (status == STATUS_GOOD) {
-        status = draw_and_write(o, &loaded, &image, &report_file, &edges_file, error, error_bytes);
+        status = draw_and_write(o, &loaded, &image, files, error, error_bytes);
     }
-    output_drop(&report_file);
-    output_drop(&edges_file);
+    for (int i = 0; i < FILE_COUNT; i++) {
+        output_drop(&files[i]);
+    }
     picture_free(&image);
     free_scene(&loaded);
     return status;

@@ -27,7 +27,9 @@ const char options_usage[] =
     "\n"
     "  -o FILE            the picture, PPM; PNG when FILE ends in .png\n"
     "  --backend WORD     fixed (default), float, or reference (double precision, the tests' yardstick)\n"
-    "  --shading WORD     exact (default), gouraud, flat\n"
+    "  --tolerance CODES  shades each triangle as cheaply as this error allows, in codes of 1/255 of a channel,\n"
+    "                     0.75..15.9375, to the nearest 1/16 (default: 1)\n"
+    "  --shading WORD     shades every triangle in this way: exact, q2, q1, gouraud, flat\n"
     "  --size WxH         pixels, each 1..2048 (default: the scene's own size; 320x240 for a file)\n"
     "  --format WORD      rgb888 (default), rgb565, gray8, gray4, mono\n"
     "  --dither WORD      none (default), bayer\n"
@@ -36,7 +38,13 @@ const char options_usage[] =
     "  --memory BYTES     working memory (default: as much as the library can make use of)\n"
     "  --turn DEGREES     turns the objects about the vertical\n"
     "  --report FILE      counts of the frame, as JSON\n"
-    "  --edges FILE.pgm   contested pixels, for glint-compare --apart (reference only)\n";
+    "  --tiers FILE       how each pixel was shaded, PPM or PNG: unlit dark grey, flat light grey, gouraud blue,\n"
+    "                     q1 green, q2 yellow, exact red; background black\n"
+    "  --promise FILE     the error promised for each pixel, PGM or PNG: 1/16 code a level of grey, rounded up;\n"
+    "                     white: 15.9375 codes or more, or none promised; background black\n"
+    "  --edges FILE.pgm   contested pixels, for glint-compare --apart (reference only)\n"
+    "\n"
+    "The reference is always exact unless --shading says gouraud or flat: tolerances are held against it.\n";
 
 /* ----------------------------------------------------------------------------------------------------------- messages
  */
@@ -67,8 +75,16 @@ typedef struct word {
 /* Each list ends with a NULL text. The first word is the default. */
 static const word backend_words[] = {
     {"fixed", BACKEND_FIXED}, {"float", BACKEND_FLOAT}, {"reference", BACKEND_REFERENCE}, {NULL, 0}};
-static const word shading_words[] = {
-    {"exact", GLINT_SHADING_EXACT}, {"gouraud", GLINT_SHADING_GOURAUD}, {"flat", GLINT_SHADING_FLAT}, {NULL, 0}};
+static const word shading_words[] = {{"exact", GLINT_SHADING_EXACT}, {"q2", GLINT_SHADING_Q2},
+                                     {"q1", GLINT_SHADING_Q1},       {"gouraud", GLINT_SHADING_GOURAUD},
+                                     {"flat", GLINT_SHADING_FLAT},   {NULL, 0}};
+static const word tier_words[] = {{"unlit", GLINT_TIER_UNLIT},
+                                  {"flat", GLINT_TIER_FLAT},
+                                  {"gouraud", GLINT_TIER_GOURAUD},
+                                  {"q1", GLINT_TIER_Q1},
+                                  {"q2", GLINT_TIER_Q2},
+                                  {"exact", GLINT_TIER_EXACT},
+                                  {NULL, 0}};
 static const word format_words[] = {{"rgb888", GLINT_RGB888}, {"rgb565", GLINT_RGB565},   {"gray8", GLINT_GREY8},
                                     {"gray4", GLINT_GREY4},   {"mono", GLINT_MONO_PAGES}, {NULL, 0}};
 static const word dither_words[] = {{"none", GLINT_DITHER_NONE}, {"bayer", GLINT_DITHER_BAYER}, {NULL, 0}};
@@ -91,6 +107,11 @@ const char *options_backend_word(int backend)
 const char *options_shading_word(uint8_t shading)
 {
     return word_of(shading_words, shading);
+}
+
+const char *options_tier_word(uint8_t tier)
+{
+    return word_of(tier_words, tier);
 }
 
 const char *options_format_word(uint8_t format)
@@ -172,6 +193,23 @@ static int parse_turn(const char *option, const char *text, options *o, const me
     return 0;
 }
 
+#define TOLERANCE_UNITS 16 /* in a code */
+#define DEFAULT_TOLERANCE (1 * TOLERANCE_UNITS)
+
+static int parse_tolerance(const char *option, const char *text, options *o, const message *m)
+{
+    const double least = (double)GLINT_LEAST_TOLERANCE / TOLERANCE_UNITS, most = (double)UINT8_MAX / TOLERANCE_UNITS;
+    char *end;
+    const double codes = strtod(text, &end);
+    /* of what strtod() takes, decimals only: no sign, no exponent, no words */
+    if (end == text || text[strspn(text, "0123456789.")] != '\0' || *end != '\0' || codes < least || codes > most) {
+        return fail(m, "%s %s: expected codes of 1/255 of a channel such as 1 or 2.5, %g..%g", option, text, least,
+                    most);
+    }
+    o->tolerance = (uint8_t)lround(codes * TOLERANCE_UNITS);
+    return 0;
+}
+
 /* Whether the name of a file has an ending, and another than those of a list that NULL ends. */
 static bool has_other_ending(const char *path, const char *const *endings)
 {
@@ -186,6 +224,13 @@ static bool has_other_ending(const char *path, const char *const *endings)
         }
     }
     return true;
+}
+
+bool options_is_png(const char *path)
+{
+    static const char ending[] = ".png";
+    const size_t length = strlen(path), of_ending = sizeof ending - 1;
+    return length >= of_ending && strcasecmp(path + length - of_ending, ending) == 0;
 }
 
 static int parse_path(const char *option, const char *text, const char *const *endings, const char *expected,
@@ -204,6 +249,7 @@ static int parse_path(const char *option, const char *text, const char *const *e
 enum {
     OPTION_OUTPUT,
     OPTION_BACKEND,
+    OPTION_TOLERANCE,
     OPTION_SHADING,
     OPTION_SIZE,
     OPTION_FORMAT,
@@ -213,6 +259,8 @@ enum {
     OPTION_MEMORY,
     OPTION_TURN,
     OPTION_REPORT,
+    OPTION_TIERS,
+    OPTION_PROMISE,
     OPTION_EDGES,
     OPTION_LIST,
     OPTION_HELP,
@@ -224,7 +272,8 @@ static const struct {
 } option_table[OPTION_COUNT] = {
     [OPTION_OUTPUT] = {"-o", "a file name"},
     [OPTION_BACKEND] = {"--backend", "fixed, float or reference"},
-    [OPTION_SHADING] = {"--shading", "exact, gouraud or flat"},
+    [OPTION_TOLERANCE] = {"--tolerance", "a number of codes"},
+    [OPTION_SHADING] = {"--shading", "exact, q2, q1, gouraud or flat"},
     [OPTION_SIZE] = {"--size", "WxH in pixels"},
     [OPTION_FORMAT] = {"--format", "rgb888, rgb565, gray8, gray4 or mono"},
     [OPTION_DITHER] = {"--dither", "none or bayer"},
@@ -233,6 +282,8 @@ static const struct {
     [OPTION_MEMORY] = {"--memory", "a number of bytes"},
     [OPTION_TURN] = {"--turn", "an angle in degrees"},
     [OPTION_REPORT] = {"--report", "a file name"},
+    [OPTION_TIERS] = {"--tiers", "a file name"},
+    [OPTION_PROMISE] = {"--promise", "a file name"},
     [OPTION_EDGES] = {"--edges", "a file name"},
     [OPTION_LIST] = {"--list", NULL},
     [OPTION_HELP] = {"--help", NULL},
@@ -243,6 +294,7 @@ static const struct {
 static int parse_option(int option, const char *value, options *o, const message *m)
 {
     static const char *const picture_endings[] = {".ppm", ".png", NULL};
+    static const char *const grey_endings[] = {".pgm", ".png", NULL};
     static const char *const report_endings[] = {".json", NULL};
     static const char *const edges_endings[] = {".pgm", NULL};
     const char *name = option_table[option].name;
@@ -257,6 +309,8 @@ static int parse_option(int option, const char *value, options *o, const message
         result = parse_word(backend_words, name, value, &backend, m);
         o->backend = backend;
         return result;
+    case OPTION_TOLERANCE:
+        return parse_tolerance(name, value, o, m);
     case OPTION_SHADING:
         return parse_word(shading_words, name, value, &o->shading, m);
     case OPTION_SIZE:
@@ -281,6 +335,10 @@ static int parse_option(int option, const char *value, options *o, const message
         return parse_turn(name, value, o, m);
     case OPTION_REPORT:
         return parse_path(name, value, report_endings, ".json", &o->report, m);
+    case OPTION_TIERS:
+        return parse_path(name, value, picture_endings, ".ppm or .png", &o->tiers, m);
+    case OPTION_PROMISE:
+        return parse_path(name, value, grey_endings, ".pgm or .png", &o->promise, m);
     case OPTION_EDGES:
         return parse_path(name, value, edges_endings, ".pgm", &o->edges, m);
     case OPTION_LIST:
@@ -301,16 +359,28 @@ static int find_option(const char *argument)
     return option;
 }
 
+static bool same_file(const char *a, const char *b)
+{
+    return a != NULL && b != NULL && strcmp(a, b) == 0;
+}
+
 /* given: which options were on the command line. */
 static int check_together(const options *o, const bool *given, const message *m)
 {
-    static const int display_only[] = {OPTION_DITHER, OPTION_BAND, OPTION_BUFFERS, OPTION_MEMORY, OPTION_REPORT};
+    static const int display_only[] = {OPTION_DITHER, OPTION_BAND,  OPTION_BUFFERS, OPTION_MEMORY,
+                                       OPTION_REPORT, OPTION_TIERS, OPTION_PROMISE, OPTION_TOLERANCE};
 
     if (o->scene == NULL) {
         return fail(m, "expected a scene: the name of a built-in one (--list has them) or a model file");
     }
     if (o->output == NULL) {
         return fail(m, "expected -o FILE.ppm, the picture to write");
+    }
+    if (given[OPTION_SHADING] && given[OPTION_TOLERANCE]) {
+        return fail(m, "--tolerance lets the library choose each triangle's shading: expected no --shading with it");
+    }
+    if (same_file(o->output, o->tiers) || same_file(o->output, o->promise) || same_file(o->tiers, o->promise)) {
+        return fail(m, "-o, --tiers, --promise: expected another file for each");
     }
     if (o->backend != BACKEND_REFERENCE) {
         if (o->edges != NULL) {
@@ -320,6 +390,9 @@ static int check_together(const options *o, const bool *given, const message *m)
     }
     if (o->format != GLINT_RGB888) {
         return fail(m, "--backend reference draws for no display: expected --format rgb888 or no --format");
+    }
+    if (o->shading == GLINT_SHADING_Q1 || o->shading == GLINT_SHADING_Q2) {
+        return fail(m, "--backend reference approximates nothing: expected --shading exact, gouraud or flat with it");
     }
     for (size_t i = 0; i < sizeof display_only / sizeof display_only[0]; i++) {
         if (given[display_only[i]]) {
@@ -368,6 +441,9 @@ int options_parse(int count, char **arguments, options *out, char *error, size_t
     }
     if (out->list) {
         return count == 2 ? 0 : fail(&m, "--list: expected nothing else with it");
+    }
+    if (!given[OPTION_TOLERANCE] && !given[OPTION_SHADING] && out->backend != BACKEND_REFERENCE) {
+        out->tolerance = DEFAULT_TOLERANCE;
     }
     return check_together(out, given, &m);
 }

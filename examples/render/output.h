@@ -15,7 +15,9 @@
 
 #include <glint/quality.h>
 
+#include "observe.h"
 #include "options.h"
+#include "tools/picture/picture.h"
 
 typedef struct output {
     const char *path;
@@ -28,6 +30,9 @@ int output_open(output *out, const char *path, char *error, size_t error_bytes);
 /* Closes the file; an error of any write before shows here. */
 int output_close(output *out, char *error, size_t error_bytes);
 
+/* Opens, writes and closes a picture; PNG when the path ends in .png. */
+int output_picture(output *out, const char *path, const picture *image, char *error, size_t error_bytes);
+
 /* Puts a closed file in its place. */
 int output_place(output *out, char *error, size_t error_bytes);
 
@@ -37,6 +42,13 @@ void output_drop(output *out);
 /* The counts of a frame and how it was drawn, as one JSON object. */
 void output_report(FILE *file, const options *o, uint16_t width_px, uint16_t height_px, size_t memory_bytes,
                    const glint_report *report);
+
+/* The tier of each pixel in colour; --help has the legend. `image` has the observation's size. */
+void output_tiers(const observation *seen, picture *image);
+
+/* The promise of each pixel in grey, 1/16 code a level: as a picture, whose size is the observation's; or as PGM. */
+void output_promise(const observation *seen, picture *image);
+void output_promise_pgm(FILE *file, const observation *seen);
 
 /* A mask as PGM: 255 where a byte is not 0. */
 void output_mask(FILE *file, const uint8_t *mask, int width_px, int height_px);

@@ -178,12 +178,18 @@ void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3]
         low = inverse_depth[i] < low ? inverse_depth[i] : low;
         high = inverse_depth[i] > high ? inverse_depth[i] : high;
     }
+    const uint32_t most = tolerance == 0 ? UINT32_MAX : (uint32_t)tolerance * (GLINT_CODE_UNITS / 16);
+    choice->tier = GLINT_TIER_EXACT;
+    choice->promise = bound->exact > UINT16_MAX ? UINT16_MAX : (uint16_t)bound->exact;
     if (bound->diffuse == 0) {
-        choice->tier = GLINT_TIER_UNLIT;
-        choice->promise = (uint16_t)(HALF_CODE + bound->fixed + bound->left);
+        const uint32_t unlit = HALF_CODE + glint_bound_rounding(0, 1) + bound->left;
+        if (unlit <= most && unlit <= UINT16_MAX) {
+            choice->tier = GLINT_TIER_UNLIT;
+            choice->promise = (uint16_t)unlit;
+        }
         return;
     }
-    if (tolerance != 0 && bound->flat <= (uint32_t)tolerance * (GLINT_CODE_UNITS / 16)) {
+    if (tolerance != 0 && bound->flat <= most) {
         choice->tier = GLINT_TIER_FLAT;
         choice->promise = (uint16_t)bound->flat;
         return;
@@ -220,8 +226,10 @@ void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3]
         return;
     }
     glint_curve_of(class, 0, &choice->curve);
+    /* c0 sqrt(1 - y) = 1 - e at the range's end: c0 / (1 - e) <= c0 (1 + e + 5/4 e^2) for e <= 0.18 */
+    const uint32_t e_q16 = choice->curve.error_q16;
     choice->longest_q15 =
-        choice->curve.c_q15[0] + ((choice->curve.c_q15[0] * (uint32_t)choice->curve.error_q16) >> 16) + 1;
+        choice->curve.c_q15[0] + ((choice->curve.c_q15[0] * (e_q16 + ((e_q16 * e_q16 >> 16) * 5 >> 2) + 1)) >> 16) + 1;
     for (uint8_t degree = 0; degree < GLINT_CURVE_DEGREES; degree++) {
         const uint8_t tier = (uint8_t)(GLINT_TIER_GOURAUD + degree);
         glint_curve_of(class, degree, &choice->curve);

@@ -28,6 +28,11 @@ typedef struct glint_curve {
     uint16_t error_q16;
 } glint_curve;
 
+/* D of a right angle between normals, and of 117 degrees: up to it |N| is above 0.18, so that rounding of the corners'
+ * normals counts for at most 5.5 times as much. Beyond, no error is promised. */
+#define GLINT_CHORD_BENT_Q16 (2u * 65536)
+#define GLINT_CHORD_MOST_Q16 (29u * 65536 / 10)
+
 #define GLINT_CURVE_DEGREES 3 /* 0: Gouraud, 1: q1, 2: q2 */
 
 /* The class of a range of y, 0..GLINT_CURVE_CLASSES - 1, or GLINT_CURVE_CLASSES beyond the last. */

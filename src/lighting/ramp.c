@@ -46,9 +46,10 @@ void glint_ramp_set_up(glint_ramp *ramp, const glint_scene *scene, const glint_m
     for (uint16_t i = 0; i < scene->light_count; i++) {
         int32_t light[3];
         channels(&scene->lights[i].colour, light);
-        if (i == 0) {
-            channels(&scene->lights[0].colour, first);
-        } else if (!same_chromaticity(first, light)) {
+        if ((first[0] | first[1] | first[2]) == 0) {
+            channels(&scene->lights[i].colour, first); /* the first that is not black */
+        }
+        if (!same_chromaticity(first, light)) {
             return;
         }
         for (int k = 0; k < 3; k++) {

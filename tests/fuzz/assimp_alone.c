@@ -4,11 +4,11 @@
  * calls in the same order, with the same flags and properties. Linked with fuzz_import.c in place of the importer it
  * reads the same bytes from files of the same names, so what leaks here is lost by assimp itself (run-import.sh).
  *
- * The importer gives up after the first pass where check_file() refuses the model, and else goes on to the second. Which
- * of the two is not decided here but by FUZZ_ASSIMP_PASSES in the environment: 1, or 2 (also when it is not set).
+ * The importer gives up after the first pass where check_file() refuses the model, and else goes on to the second.
+ * Which of the two is not decided here but by FUZZ_ASSIMP_PASSES in the environment: 1, or 2 (also when it is not set).
  *
- * Limits: a change of the calls in import.c has to be made here too. When it is forgotten the leaks no longer agree, and
- * run-import.sh calls them this project's: the error is loud.
+ * Limits: a change of the calls in import.c has to be made here too. When it is forgotten the leaks no longer agree,
+ * and run-import.sh calls them this project's: the error is loud.
  */
 #include <stdlib.h>
 #include <string.h>

@@ -113,12 +113,11 @@ static unsigned print_unknown(void)
 }
 
 /* Draws with both backends. Returns false where the scene is refused, by both. */
-static bool draw(const glint_scene *scene, const glint_display *like, uint8_t shading)
+static bool draw(const glint_scene *scene, const glint_display *like, const glint_quality *quality)
 {
     bool drawn = false;
     for (int backend = 0; backend < BACKENDS; backend++) {
         glint_display display = *like;
-        const glint_quality quality = {.shading = shading};
         screen s = {.display = &display, .fail_at = NO_BAND};
         display.flush = screen_flush;
         display.context = &s;
@@ -128,7 +127,7 @@ static bool draw(const glint_scene *scene, const glint_display *like, uint8_t sh
         s.row_bytes = glint_row_bytes(display.format, display.width_px);
         s.pixels = malloc((size_t)s.row_bytes * pages);
         FUZZ_CHECK(memory != NULL && s.pixels != NULL, "out of memory");
-        const bool done = backends[backend].render(scene, &display, &quality, memory, bytes_given, NULL) == GLINT_OK;
+        const bool done = backends[backend].render(scene, &display, quality, memory, bytes_given, NULL) == GLINT_OK;
         FUZZ_CHECK(backend == 0 || done == drawn, "the backends do not agree on what is valid");
         drawn = done;
         free(s.pixels);
@@ -147,7 +146,8 @@ static unsigned draw_built_in(void)
             glint_scene scene;
             FUZZ_CHECK(demo_scenes[i].scene->object_count <= MOST_OBJECTS, "%s", demo_scenes[i].name);
             FUZZ_CHECK(demo_scene_turn(demo_scenes[i].scene, (uint16_t)(side * 4099), objects, &scene) == 0, "turn");
-            FUZZ_CHECK(draw(&scene, &display, (uint8_t)(side % 3)), "%s refused", demo_scenes[i].name);
+            FUZZ_CHECK(draw(&scene, &display, &extreme_ways[(side + i) % EXTREME_WAYS]), "%s refused",
+                       demo_scenes[i].name);
             scenes++;
         }
     }
@@ -191,7 +191,7 @@ static unsigned draw_extreme(uint64_t *random, unsigned scenes)
         random_bytes(random, data);
         bytes b = bytes_from(data, sizeof data);
         take_extreme_scene(&b, &e);
-        drawn += draw(&e.scene, &e.display, e.shading);
+        drawn += draw(&e.scene, &e.display, &extreme_ways[e.way]);
     }
     return drawn;
 }
@@ -206,7 +206,7 @@ static unsigned draw_hard(uint64_t *random, unsigned scenes)
         random_bytes(random, data);
         bytes b = bytes_from(data, sizeof data);
         if (hard_scene(&b, &e, i % HARD_KINDS, (int)(i / HARD_KINDS))) {
-            FUZZ_CHECK(draw(&e.scene, &e.display, e.shading), "hard scene %u", i);
+            FUZZ_CHECK(draw(&e.scene, &e.display, &extreme_ways[e.way]), "hard scene %u", i);
             drawn++;
         }
     }

@@ -2,7 +2,8 @@
 /*
  * Scenes made for one quantity each, which scenes at random do not drive to its end: light summed over as many lights
  * as there may be, the last number of a triangle, normals as long as still pass for unit length, a needle far away,
- * triangles as large as the guard band on the largest display, depths that fall from 1 to nothing within a few pixels.
+ * triangles as large as the guard band on the largest display, depths that fall from 1 to nothing within a few pixels,
+ * smooth surfaces that the cheap tiers of shading serve.
  *
  * The eye is at the origin and looks along z. Triangles are given by where they are to appear on the screen.
  */
@@ -13,7 +14,7 @@
 
 #define MOST_TRIANGLES 65534 /* of a scene whose triangles are sorted into bands */
 #define HARD_OBJECTS 2
-#define HARD_KINDS 7
+#define HARD_KINDS 8
 
 static const glint_colour brightest = {INT16_MAX, INT16_MAX, INT16_MAX}, all_of_it = {16384, 16384, 16384};
 
@@ -168,7 +169,7 @@ static inline void hard_guard(bytes *b, extreme_scene *e, uint16_t width_px, uin
 {
     hard_begin(e, width_px, height_px, 16384);
     e->mesh.fraction_bits = 4;
-    e->shading = GLINT_SHADING_FLAT;
+    e->way = GLINT_SHADING_FLAT;
     for (int v = 0; v < EXTREME_VERTICES; v++) {
         const double end = 1439.5, x = take_u8(b) & 1 ? end : -end, y = take_u8(b) & 1 ? end : -end;
         if (v % 3 == 1) { /* beside the first */
@@ -189,7 +190,7 @@ static inline void hard_steep(bytes *b, extreme_scene *e)
     hard_begin(e, size, size, kind & 1 ? 8192 : 30947);
     e->camera.near_q16 = kind & 2 ? 65536 : 65536 * 16;
     e->mesh.fraction_bits = (int8_t)(kind & 4 ? 0 : 2);
-    e->shading = (uint8_t)(kind % 3);
+    e->way = (uint8_t)(kind % EXTREME_WAYS);
     const double near = e->camera.near_q16 / 65536.0 * exp2(e->mesh.fraction_bits);
     const double most = exp2(take_share(b) * 14);
     for (int v = 0; v < EXTREME_VERTICES; v++) {
@@ -201,10 +202,59 @@ static inline void hard_steep(bytes *b, extreme_scene *e)
     }
 }
 
+static inline void hard_colour(bytes *b, glint_colour *colour, int32_t most_q14)
+{
+    const uint8_t kind = take_u8(b);
+    colour->r_q14 = (int16_t)(kind & 1 ? most_q14 : take_between(b, 0, most_q14));
+    colour->g_q14 = kind & 6 ? colour->r_q14 : (int16_t)take_between(b, 0, most_q14);
+    colour->b_q14 = kind & 6 ? colour->r_q14 : (int16_t)take_between(b, 0, most_q14);
+}
+
+/* Corner normals that differ by little to a right angle, under directional lights, from any depth to another: what the
+ * tiers between one colour and exact are for. Triangles from a pixel to far beyond the display. */
+static inline void hard_smooth(bytes *b, extreme_scene *e)
+{
+    static const uint16_t sizes[] = {3, 8, 12, 16, 24, 24, 33, 64}, exponents[] = {0, 1, 16, 80, 160, 640, 4000, 16384};
+    const uint16_t size = ONE_OF(b, sizes);
+    hard_begin(e, size, size, take_rarely(b, 4) ? 30947 : 8192);
+    e->way = (uint8_t)take_between(b, 0, EXTREME_WAYS - 1);
+    e->mesh.fraction_bits = 2;
+    hard_colour(b, &e->material.diffuse, 16384);
+    hard_colour(b, &e->material.specular, 16384);
+    e->material.exponent_q4 = ONE_OF(b, exponents);
+    e->material.specular_model = (uint8_t)take_between(b, GLINT_PHONG, GLINT_BLINN);
+    e->scene.ambient = (glint_colour){1638, 1638, 1638};
+    e->scene.light_count = (uint16_t)take_between(b, 1, EXTREME_LIGHTS);
+    for (int i = 0; i < e->scene.light_count; i++) {
+        glint_light *light = &e->lights[i];
+        const bool from_eye = take_rarely(b, 3); /* where the highlight is seen */
+        light->kind = GLINT_DIRECTIONAL;
+        hard_colour(b, &light->colour, take_rarely(b, 3) ? INT16_MAX : 16384);
+        for (int k = 0; k < 3; k++) {
+            light->direction[k] = (int16_t)(take_between(b, -99, 99) + (k < 2 ? 0 : from_eye ? 999 : 1));
+        }
+    }
+    const double reach = size * exp2(take_between(b, -5, 3)), bend = exp2(-take_share(b) * 10),
+                 depths = exp2(take_share(b) * 6) - 1;
+    const double base[3] = {take_share(b) - 0.5, take_share(b) - 0.5, -0.3 - take_share(b)};
+    for (int v = 0; v < EXTREME_VERTICES; v++) {
+        double n[3], length = 0;
+        hard_vertex(e, v, (take_share(b) - 0.5) * reach, (take_share(b) - 0.5) * reach,
+                    200 * (1 + depths * take_share(b)));
+        for (int k = 0; k < 3; k++) {
+            n[k] = base[k] + bend * (take_share(b) - 0.5);
+            length += n[k] * n[k];
+        }
+        for (int k = 0; k < 3 && length > 0; k++) {
+            e->normals[v][k] = (int16_t)lrint(16384 / sqrt(length) * n[k]);
+        }
+    }
+}
+
 /* Makes scene number `which` of a kind; false after the kind's last. */
 static inline bool hard_scene(bytes *b, extreme_scene *e, unsigned kind, int which)
 {
-    static const int scenes[HARD_KINDS] = {1, 2, 26, 64, 32, INT32_MAX, INT32_MAX};
+    static const int scenes[HARD_KINDS] = {1, 2, 26, 64, 32, INT32_MAX, INT32_MAX, INT32_MAX};
     if (which >= scenes[kind]) {
         return false;
     }
@@ -227,8 +277,11 @@ static inline bool hard_scene(bytes *b, extreme_scene *e, unsigned kind, int whi
     case 5:
         hard_normals(b, e);
         break;
-    default:
+    case 6:
         hard_steep(b, e);
+        break;
+    default:
+        hard_smooth(b, e);
         break;
     }
     return true;

@@ -24,8 +24,22 @@ typedef struct extreme_scene {
     glint_object object;
     glint_scene scene;
     glint_display display; /* flush and context are for the one who draws */
-    uint8_t shading;
+    uint8_t way;           /* of drawing, see extreme_ways */
 } extreme_scene;
+
+/* Ways of drawing: each shading by name, and the least tolerance, a common and a wide one. */
+static const glint_quality extreme_ways[] = {
+    {GLINT_SHADING_EXACT, 0},
+    {GLINT_SHADING_GOURAUD, 0},
+    {GLINT_SHADING_FLAT, 0},
+    {GLINT_SHADING_Q1, 0},
+    {GLINT_SHADING_Q2, 0},
+    {GLINT_SHADING_EXACT, GLINT_LEAST_TOLERANCE},
+    {GLINT_SHADING_EXACT, GLINT_CODES(1)},
+    {GLINT_SHADING_EXACT, GLINT_CODES(4)},
+};
+
+enum { EXTREME_WAYS = sizeof extreme_ways / sizeof *extreme_ways };
 
 #define ONE_OF(bytes, list) ((list)[take_between(bytes, 0, (int32_t)(sizeof(list) / sizeof *(list)) - 1)])
 
@@ -201,7 +215,7 @@ static inline void take_extreme_scene(bytes *b, extreme_scene *e)
     e->scene.light_count = EXTREME_LIGHTS;
     e->scene.ambient = (glint_colour){INT16_MAX, 0, 16384};
     e->scene.background = (glint_colour){16384, 0, 8192};
-    e->shading = (uint8_t)take_between(b, GLINT_SHADING_EXACT, GLINT_SHADING_FLAT);
+    e->way = (uint8_t)take_between(b, 0, EXTREME_WAYS - 1);
 }
 
 #endif

@@ -80,7 +80,7 @@ static const documented_range documented[] = {
     {"sliver weight q30", S32, 0, TWO(30) + 8, "raster/gradients.h: 2^-27 before clamping"},
     {"sliver way", S32, WITHIN(TWO(30)), "raster/plane.h"},
     {"plane difference", S32, WITHIN(TWO(30)), "raster/plane.c"},
-    {"plane step", S64, BELOW(TWO(35)), "raster/plane.c"},
+    {"plane step", S32, BELOW(TWO(31)), "its type"},
     {"interpolated depth q30", U32, 1, TWO(30) - 1, "geometry/view.h"},
     {"inverse distance", S32, 0, TWO(30), "lighting/light_fixed.h"},
     {"corner weight q30", S32, 0, TWO(30) - 1, "raster/attribute_fixed.h: 30 bits"},

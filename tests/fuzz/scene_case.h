@@ -230,6 +230,71 @@ static inline void scene_case_take(bytes *b, scene_case *c)
     c->scene.lights = c->lights;
 }
 
+/*
+ * The quality of a second drawing of the same scene: within a tolerance, or by a tier asked for by name; one in sixteen
+ * is any two bytes, which are seldom valid. Taken after all else, so that what inputs from before it mean stays.
+ */
+static inline glint_quality take_quality(bytes *b)
+{
+    glint_quality quality = {.shading = GLINT_SHADING_EXACT};
+    const uint8_t kind = take_u8(b);
+    if (kind < 160) {
+        quality.tolerance = (uint8_t)take_between(b, GLINT_LEAST_TOLERANCE, kind < 80 ? 64 : 255);
+    } else if (kind < 240) {
+        quality.shading = kind & 1 ? GLINT_SHADING_Q1 : GLINT_SHADING_Q2;
+    } else {
+        quality.shading = (uint8_t)(kind & 2 ? take_u8(b) : take_between(b, 0, 5));
+        quality.tolerance = (uint8_t)(kind & 1 ? take_u8(b) : take_between(b, 0, 2 * GLINT_LEAST_TOLERANCE));
+    }
+    return quality;
+}
+
+/*
+ * What makes a scene one that cheap shading serves, which random ones hardly are: lights that are directional and not
+ * bright, of one colour or not; normals of a mesh that are of unit length and differ little, by 2^-spread.
+ */
+typedef struct taming {
+    bool lights, grey, normals;
+    uint8_t spread;
+    int16_t middle[3];
+} taming;
+
+static inline taming take_taming(bytes *b)
+{
+    const uint8_t kind = take_u8(b);
+    taming t = {.lights = (kind & 7) != 0, .grey = kind & 8, .normals = (kind & 48) != 0, .spread = kind >> 6};
+    for (int k = 0; k < 3; k++) {
+        t.middle[k] = (int16_t)take_between(b, -128, 127);
+    }
+    t.spread = (uint8_t)(2 + 2 * t.spread);
+    return t;
+}
+
+static inline void scene_case_tame(scene_case *c, const taming *t)
+{
+    for (int i = 0; t->lights && i < CASE_LIGHTS; i++) {
+        glint_light *light = &c->lights[i];
+        light->kind = light->kind == GLINT_POINT ? GLINT_DIRECTIONAL : light->kind;
+        light->direction[2] = (int16_t)(light->direction[2] | 1);
+        light->colour.r_q14 /= 4;
+        light->colour.g_q14 = t->grey ? light->colour.r_q14 : (int16_t)(light->colour.g_q14 / 4);
+        light->colour.b_q14 = t->grey ? light->colour.r_q14 : (int16_t)(light->colour.b_q14 / 4);
+    }
+    for (int i = 0; t->normals && i < c->mesh_count; i++) {
+        int16_t(*normals)[3] = c->allocated[3 * i + 1];
+        for (uint16_t v = 0; v < c->meshes[i].vertex_count; v++) {
+            double n[3], square = 0;
+            for (int k = 0; k < 3; k++) {
+                n[k] = 128.0 * t->middle[k] + ldexp(normals[v][k], -t->spread);
+                square += n[k] * n[k];
+            }
+            for (int k = 0; k < 3 && square > 0; k++) {
+                normals[v][k] = (int16_t)lrint(16384 * n[k] / sqrt(square));
+            }
+        }
+    }
+}
+
 /* One fault in an otherwise valid call; numbers beyond the list leave it alone. */
 static inline void scene_case_break(scene_case *c, uint8_t fault)
 {

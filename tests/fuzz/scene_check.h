@@ -7,7 +7,9 @@
  *   - a band's pixels stay as they are until its transfer has ended, however late that is told;
  *   - nothing past the end of the memory is written, nor read where AddressSanitizer is there to see it;
  *   - the counts of the report add up;
- *   - another band height, another number of buffers, another memory size: the same picture and the same counts.
+ *   - another band height, another number of buffers, another memory size: the same picture and the same counts;
+ *   - a tolerance changes neither what is covered nor the fates of triangles, promises no more than was asked for where
+ *     exact shading can keep that, and its picture is as near to the exact one as the two promises say.
  */
 #ifndef GLINT_TESTS_FUZZ_SCENE_CHECK_H
 #define GLINT_TESTS_FUZZ_SCENE_CHECK_H
@@ -118,6 +120,20 @@ static inline void screen_wait(void *context)
     end_transfer(s);
 }
 
+static inline void check_tiers(const glint_report *r)
+{
+    uint32_t pixels = 0, parts = 0;
+    for (int i = 0; i < GLINT_TIERS; i++) {
+        pixels += r->tier_pixels[i];
+        parts += r->tier_triangles[i];
+        FUZZ_CHECK(r->tier_triangles[i] > 0 || r->tier_pixels[i] == 0, "pixels of no triangle, tier %d", i);
+    }
+    FUZZ_CHECK(pixels == r->pixels_shaded, "%u pixels in tiers, %u shaded", pixels, r->pixels_shaded);
+    FUZZ_CHECK(parts >= r->triangles_drawn && (parts == r->triangles_drawn || r->triangles_clipped > 0),
+               "%u parts of %u triangles in tiers", parts, r->triangles_drawn);
+    FUZZ_CHECK(r->specular_triangles <= parts, "%u of %u specular", r->specular_triangles, parts);
+}
+
 static inline void check_report(const glint_report *r, const scene_case *c, const screen *s, size_t memory_bytes,
                                 int backend)
 {
@@ -135,7 +151,10 @@ static inline void check_report(const glint_report *r, const scene_case *c, cons
     FUZZ_CHECK(r->triangles_refused == 0 || backend == 1, "the fixed backend refused");
     FUZZ_CHECK(r->triangles_drawn > 0 || r->pixels_shaded == 0, "%u pixels of no triangle", r->pixels_shaded);
     FUZZ_CHECK(r->pixels_specular <= r->pixels_shaded, "%u specular", r->pixels_specular);
-    FUZZ_CHECK(c->quality.shading == GLINT_SHADING_EXACT || r->pixels_specular == 0, "specular counted");
+    const bool corners = c->quality.shading == GLINT_SHADING_GOURAUD || c->quality.shading == GLINT_SHADING_FLAT;
+    FUZZ_CHECK(!corners || r->pixels_specular == 0, "specular counted");
+    FUZZ_CHECK(!corners || r->triangles_drawn == 0 || r->promise_q8 == UINT16_MAX, "promises %u", r->promise_q8);
+    check_tiers(r);
     FUZZ_CHECK(r->bands == s->bands, "%u bands, saw %u", r->bands, s->bands);
     FUZZ_CHECK(r->memory_used_bytes <= memory_bytes, "%u bytes used", r->memory_used_bytes);
     FUZZ_CHECK(memory_bytes < backends[backend].memory_bytes(&c->scene, s->display) ||
@@ -143,7 +162,7 @@ static inline void check_report(const glint_report *r, const scene_case *c, cons
                "%u vertices transformed of %u", r->vertices_transformed, vertices);
 }
 
-static inline size_t memory_for(const drawing *how, size_t least, size_t full)
+static inline size_t memory_for(const drawing *how, const scene_case *c, size_t least, size_t full)
 {
     switch (how->memory_kind) {
     case 1:
@@ -151,7 +170,8 @@ static inline size_t memory_for(const drawing *how, size_t least, size_t full)
     case 2:
         return least + (full - least) * how->memory_part / 65535;
     case 3:
-        return full + how->memory_part % 1024;
+        /* with a tolerance, ramps and tables of highlights lie there: of all objects, or of some */
+        return full + how->memory_part % (c->quality.tolerance ? (CASE_OBJECTS + 1) * GLINT_RAMP_WORDS * 4u : 1024u);
     case 4:
         return least - 1;
     default:
@@ -183,7 +203,7 @@ static inline uint8_t *draw_and_check(scene_case *c, const drawing *how, int bac
     if (least > ((size_t)1 << 22)) {
         return NULL; /* a stride near its limit: too slow here */
     }
-    const size_t given = least == 0 ? 256 : memory_for(how, least, full);
+    const size_t given = least == 0 ? 256 : memory_for(how, c, least, full);
     const size_t shift = how->memory_kind == 5 ? 1 + how->memory_part % 3u : 0;
     if (least > 0 && (how->memory_kind == 4 || shift > 0)) {
         expected = INVALID;
@@ -266,6 +286,69 @@ static inline void expect_alike(scene_case *c, const drawing *how, int backend, 
     free(again);
 }
 
+/* What a tolerance, or another shading, must leave alone. */
+static inline void expect_same_surfaces(const glint_report *a, const glint_report *b)
+{
+    FUZZ_CHECK(a->triangles == b->triangles && a->triangles_drawn == b->triangles_drawn &&
+                   a->triangles_facing_away == b->triangles_facing_away &&
+                   a->triangles_outside == b->triangles_outside && a->triangles_empty == b->triangles_empty &&
+                   a->triangles_refused == b->triangles_refused && a->triangles_clipped == b->triangles_clipped,
+               "shading changed the fate of a triangle");
+    FUZZ_CHECK(a->pixels_shaded == b->pixels_shaded, "%u pixels, and %u in another shading", a->pixels_shaded,
+               b->pixels_shaded);
+}
+
+/* An exact picture, and one of the same scene within a tolerance or by q1 or q2. Each pixel of each is within what its
+ * report promises of one true colour, so they are within the sum of one another. */
+static inline void expect_promises_kept(const scene_case *c, int backend, uint8_t *const pixels[2],
+                                        const glint_report report[2])
+{
+    const uint32_t asked = c->quality.tolerance * 16u, exact = report[0].promise_q8, other = report[1].promise_q8;
+    FUZZ_CHECK(asked == 0 || other <= (asked > exact ? asked : exact), "%s: promises %u / 256 code, exact %u, asked %u",
+               backends[backend].name, other, exact, asked);
+    if (c->display.format != GLINT_RGB888 || exact == UINT16_MAX || other == UINT16_MAX) {
+        return;
+    }
+    const uint32_t row_bytes = glint_row_bytes(c->display.format, c->display.width_px);
+    for (uint32_t i = 0; i < row_bytes * c->display.height_px; i++) {
+        const uint32_t apart = (uint32_t)abs(pixels[0][i] - pixels[1][i]);
+        FUZZ_CHECK(apart * 256 <= exact + other,
+                   "%s: byte %u of row %u is %u, exact %u; promised: %u and %u / 256 code (tolerance %u, shading %u)",
+                   backends[backend].name, i % row_bytes, i / row_bytes, pixels[1][i], pixels[0][i], other, exact,
+                   c->quality.tolerance, c->quality.shading);
+    }
+}
+
+/* The scene as `quality` asks, and in other bands and memories. Pixels and report as of draw_and_check(). */
+static inline uint8_t *check_drawings(scene_case *c, const glint_quality *quality, const drawing *how,
+                                      const drawing others[3], int backend, glint_report *report)
+{
+    c->quality = *quality;
+    uint8_t *pixels = draw_and_check(c, how, backend, report);
+    for (int i = backend; pixels != NULL && i < 2 + backend; i++) {
+        expect_alike(c, &others[i], backend, pixels, report);
+    }
+    return pixels;
+}
+
+static inline void check_qualities(scene_case *c, const glint_quality *quality, const drawing *how,
+                                   const drawing others[3], int backend)
+{
+    const drawing plain = {.fail_at = NO_BAND, .buffer_count = 1, .band_px = how->band_px};
+    glint_report report[2];
+    uint8_t *pixels[2];
+    c->quality.shading = GLINT_SHADING_EXACT;
+    c->quality.tolerance = 0;
+    pixels[0] = draw_and_check(c, &plain, backend, &report[0]);
+    pixels[1] = check_drawings(c, quality, how, others, backend, &report[1]);
+    if (pixels[0] != NULL && pixels[1] != NULL) {
+        expect_same_surfaces(&report[0], &report[1]);
+        expect_promises_kept(c, backend, pixels, report);
+    }
+    free(pixels[0]);
+    free(pixels[1]);
+}
+
 /* The body of the fuzzer. */
 static inline void check_scene_bytes(const uint8_t *data, size_t size)
 {
@@ -292,13 +375,15 @@ static inline void check_scene_bytes(const uint8_t *data, size_t size)
     if (fault >= 224) {
         scene_case_break(&c, (uint8_t)(fault - 224));
     }
+    const glint_quality quality = c.quality, second = take_quality(&b);
+    const taming tame = take_taming(&b);
     for (int backend = 0; backend < BACKENDS; backend++) {
         glint_report report;
-        uint8_t *pixels = draw_and_check(&c, &how, backend, &report);
-        for (int i = backend; pixels != NULL && i < 2 + backend; i++) {
-            expect_alike(&c, &others[i], backend, pixels, &report);
-        }
-        free(pixels);
+        free(check_drawings(&c, &quality, &how, others, backend, &report));
+    }
+    scene_case_tame(&c, &tame);
+    for (int backend = 0; backend < BACKENDS; backend++) {
+        check_qualities(&c, &second, &how, others, backend);
     }
     scene_case_free(&c);
 }

@@ -134,11 +134,19 @@ static inline validity display_validity(const glint_display *d)
     return good ? VALID : INVALID;
 }
 
+static inline validity quality_validity(const glint_quality *q)
+{
+    const bool good =
+        q->shading <= GLINT_SHADING_Q2 &&
+        (q->tolerance == 0 || (q->tolerance >= GLINT_LEAST_TOLERANCE && q->shading == GLINT_SHADING_EXACT));
+    return good ? VALID : INVALID;
+}
+
 static inline validity scene_case_validity(const scene_case *c)
 {
     const glint_scene *scene = &c->scene;
     if (c->null != 0 || scene->light_count > GLINT_MAX_LIGHTS || (scene->object_count > 0 && scene->objects == NULL) ||
-        (scene->light_count > 0 && scene->lights == NULL) || c->quality.shading > GLINT_SHADING_FLAT) {
+        (scene->light_count > 0 && scene->lights == NULL) || quality_validity(&c->quality) != VALID) {
         return INVALID;
     }
     validity v = both(camera_validity(scene->camera), display_validity(&c->display));

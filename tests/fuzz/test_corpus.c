@@ -68,7 +68,7 @@ static void test_what_the_bytes_make(void **state)
 {
     (void)state;
     enum { TRIALS = 4000 };
-    unsigned valid = 0, drawn = 0, clipped = 0, specular = 0, invalid = 0;
+    unsigned valid = 0, drawn = 0, clipped = 0, specular = 0, invalid = 0, refused = 0, tiers[GLINT_TIERS] = {0};
     uint64_t random = 7;
     for (unsigned i = 0; i < TRIALS; i++) {
         static scene_case c;
@@ -88,11 +88,29 @@ static void test_what_the_bytes_make(void **state)
             clipped += report.triangles_clipped > 0;
             specular += report.pixels_specular > 0;
         }
+        /* the second drawing of a valid scene */
+        c.quality = take_quality(&b);
+        const taming tame = take_taming(&b);
+        scene_case_tame(&c, &tame);
+        uint8_t *within = pixels != NULL ? draw_and_check(&c, &how, 0, &report) : NULL;
+        refused += pixels != NULL && within == NULL;
+        for (int tier = 0; within != NULL && tier < GLINT_TIERS; tier++) {
+            tiers[tier] += report.tier_pixels[tier] > 0;
+        }
+        free(within);
         free(pixels);
         scene_case_free(&c);
     }
     print_message("of %u inputs: %u valid, %u with pixels, %u with clipping, %u with highlights; %u invalid\n",
                   (unsigned)TRIALS, valid, drawn, clipped, specular, invalid);
+    print_message(
+        "with a tolerance or a tier: %u refused; %u with pixels of tier unlit, %u flat, %u Gouraud, %u q1, %u q2, "
+        "%u exact\n",
+        refused, tiers[0], tiers[1], tiers[2], tiers[3], tiers[4], tiers[5]);
+    assert_true(refused > TRIALS / 100);
+    for (int tier = 0; tier < GLINT_TIERS; tier++) {
+        assert_true(tiers[tier] > TRIALS / 500);
+    }
     assert_true(valid > TRIALS / 2 && invalid > TRIALS / 50);
     assert_true(drawn > TRIALS / 5 && clipped > TRIALS / 10 && specular > TRIALS / 50);
 }

@@ -133,6 +133,15 @@ static inline frame board_draw(const board *b, uint8_t shading, int backend)
     return f;
 }
 
+/* The cheapest tiers within one code. */
+static inline frame board_draw_within(const board *b, int backend)
+{
+    frame f = {.display = {.width_px = BOARD_PX, .height_px = BOARD_PX}, .tolerance = GLINT_CODES(1)};
+    assert_int_equal(frame_draw(&f, &b->scene, backend), 0);
+    assert_int_equal(f.report.pixels_shaded, BOARD_PX * BOARD_PX);
+    return f;
+}
+
 /* The code of the red channel at the board's centre. */
 static inline int board_centre(const board *b, uint8_t shading, int backend)
 {
@@ -154,7 +163,7 @@ static inline void expect_centre(const board *b, uint8_t shading, double level, 
     }
 }
 
-/* Every byte of the picture is this code, in both backends and all shadings. */
+/* Every byte of the picture is this code, in both backends and all shadings; at tolerance 1 it is within a code. */
 static inline void expect_all(const board *b, int code, const char *what)
 {
     for (int n = 0; n < FRAME_BACKENDS * HARD_SHADINGS; n++) {
@@ -163,6 +172,16 @@ static inline void expect_all(const board *b, int code, const char *what)
             if (f.pixels[i] != code) {
                 fail_msg("%s, %s, shading %d, byte %zu: %u, expected %d", what, frame_backend_name[n % FRAME_BACKENDS],
                          n / FRAME_BACKENDS, i, f.pixels[i], code);
+            }
+        }
+        frame_free(&f);
+    }
+    for (int backend = 0; backend < FRAME_BACKENDS; backend++) {
+        frame f = board_draw_within(b, backend);
+        for (size_t i = 0; i < f.bytes; i++) {
+            if (abs(f.pixels[i] - code) > 1) {
+                fail_msg("%s, %s, tolerance 1, byte %zu: %u, expected %d", what, frame_backend_name[backend], i,
+                         f.pixels[i], code);
             }
         }
         frame_free(&f);

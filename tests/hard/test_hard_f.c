@@ -173,12 +173,14 @@ static void test_F5_clipped_quad_split_either_way(void **state)
                        hard_between(i == 0 ? -9000 : 1000, i == 0 ? 500 : 9000) / 1000.0);
             b.normals[i][0] = (int16_t)hard_between(-16000, 16000);
         }
-        for (int n = 0; n < FRAME_BACKENDS * HARD_SHADINGS; n++) {
-            frame whole = {.display = {.width_px = WIDE, .height_px = HIGH}, .shading = (uint8_t)(n / FRAME_BACKENDS)};
+        for (int n = 0; n < FRAME_BACKENDS * (HARD_SHADINGS + 1); n++) {
+            frame whole = {.display = {.width_px = WIDE, .height_px = HIGH},
+                           .shading = (uint8_t)(n / FRAME_BACKENDS % HARD_SHADINGS),
+                           .tolerance = n / FRAME_BACKENDS == HARD_SHADINGS ? GLINT_CODES(1) : 0};
             assert_int_equal(frame_draw(&whole, &b.scene, n % FRAME_BACKENDS), 0);
             clipped += (long)whole.report.triangles_clipped;
             for (uint16_t band = 1; band < HIGH; band = (uint16_t)(band + 3)) {
-                frame f = {.display = whole.display, .shading = whole.shading};
+                frame f = {.display = whole.display, .shading = whole.shading, .tolerance = whole.tolerance};
                 f.display.band_px = band;
                 assert_int_equal(frame_draw(&f, &b.scene, n % FRAME_BACKENDS), 0);
                 assert_memory_equal(f.pixels, whole.pixels, whole.bytes);

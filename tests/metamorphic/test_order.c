@@ -33,7 +33,7 @@ static void rotate_corners(world *w, glint_mesh meshes[WORLD_OBJECTS],
 
 static void test_rotated_corners(void **state)
 {
-    comparison silhouettes = {0}, sum[FRAME_BACKENDS] = {{0}};
+    comparison silhouettes = {0}, sum[FRAME_BACKENDS] = {{0}}, within[FRAME_BACKENDS] = {{0}};
     (void)world_seed(state);
     for (int n = 0; n < WORLD_SCENES; n++) {
         static world w, rotated;
@@ -42,6 +42,7 @@ static void test_rotated_corners(void **state)
         world_make(&w);
         world_copy(&rotated, &w);
         rotate_corners(&rotated, meshes, triangles);
+        world_compare_within(within, &w, &rotated, 0, 0, NULL);
         for (int i = 0; i < FRAME_BACKENDS * (WORLD_SHADINGS + 1); i++) {
             const int backend = i % FRAME_BACKENDS, shading = i / FRAME_BACKENDS;
             if (i == FRAME_BACKENDS * WORLD_SHADINGS) {
@@ -59,6 +60,7 @@ static void test_rotated_corners(void **state)
     world_expect(&silhouettes, "corners rotated, silhouettes, both", 0, 0);
     world_expect(&sum[FRAME_FIXED], "corners rotated, fixed", ROTATED_CODES, ROTATED_SHARE);
     world_expect(&sum[FRAME_FLOAT], "corners rotated, float", ROTATED_CODES, ROTATED_SHARE);
+    world_expect_within(within, "corners rotated", WITHIN_CODES, ANY_SHARE);
 }
 
 /*
@@ -106,7 +108,7 @@ static void test_rotated_corners_on_pixel_centres(void **state)
 static void test_order_of_objects(void **state)
 {
     static const int orders[][WORLD_OBJECTS] = {{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
-    comparison sum[FRAME_BACKENDS] = {{0}};
+    comparison sum[FRAME_BACKENDS] = {{0}}, within[FRAME_BACKENDS] = {{0}};
     (void)world_seed(state);
     for (int n = 0; n < WORLD_SCENES; n++) {
         static world w, other;
@@ -116,6 +118,7 @@ static void test_order_of_objects(void **state)
         for (int i = 0; i < WORLD_OBJECTS; i++) {
             other.objects[i] = w.objects[order[i]];
         }
+        world_compare_within(within, &w, &other, 0, 0, NULL);
         for (int i = 0; i < FRAME_BACKENDS * WORLD_SHADINGS; i++) {
             const int backend = i % FRAME_BACKENDS;
             frame a = world_draw(&w, WORLD_WIDTH, i / FRAME_BACKENDS, backend);
@@ -127,6 +130,7 @@ static void test_order_of_objects(void **state)
     }
     world_expect(&sum[FRAME_FIXED], "objects in another order, fixed", 0, 0);
     world_expect(&sum[FRAME_FLOAT], "objects in another order, float", 0, 0);
+    world_expect_within(within, "objects in another order", 0, 0);
 }
 
 int main(void)

@@ -41,7 +41,7 @@ static void draw_pair(comparison *sum, const world *a, const world *b, int shadi
 
 static void test_shifted_by_whole_pixels(void **state)
 {
-    comparison silhouettes = {0}, linear = {0}, exact = {0}, real = {0};
+    comparison silhouettes = {0}, linear = {0}, exact = {0}, real = {0}, within[FRAME_BACKENDS] = {{0}};
     (void)world_seed(state);
     for (int n = 0; n < WORLD_SCENES; n++) {
         static world w;
@@ -53,6 +53,7 @@ static void test_shifted_by_whole_pixels(void **state)
         for (int shading = 0; shading < WORLD_SHADINGS; shading++) {
             draw_pair(&real, &w, &w, shading, FRAME_FLOAT, shift);
         }
+        world_compare_within(within, &w, &w, shift, 0, NULL);
         world_silhouette(&w);
         draw_pair(&silhouettes, &w, &w, GLINT_SHADING_FLAT, FRAME_FIXED, shift);
         draw_pair(&silhouettes, &w, &w, GLINT_SHADING_FLAT, FRAME_FLOAT, shift);
@@ -61,6 +62,7 @@ static void test_shifted_by_whole_pixels(void **state)
     world_expect(&linear, "shifted by whole pixels, fixed, Gouraud and flat", 0, 0);
     world_expect(&exact, "shifted by whole pixels, fixed, exact", SHIFTED_CODES, SHIFTED_SHARE);
     world_expect(&real, "shifted by whole pixels, float", SHIFTED_CODES, SHIFTED_SHARE);
+    world_expect_within(within, "shifted by whole pixels", WITHIN_CODES, ANY_SHARE);
 }
 
 /* New axis k is old axis source[k], flipped where sign[k] is -1. */
@@ -124,13 +126,14 @@ static void scale(world *w, int number)
     }
 }
 
-static void compare_changed(change by, comparison *silhouettes, comparison *shaded)
+static void compare_changed(change by, comparison *silhouettes, comparison *shaded, comparison within[FRAME_BACKENDS])
 {
     for (int n = 0; n < WORLD_SCENES; n++) {
         static world w, changed;
         world_make(&w);
         world_copy(&changed, &w);
         by(&changed, n);
+        world_compare_within(within, &w, &changed, 0, 0, NULL);
         for (int i = 0; i < FRAME_BACKENDS * WORLD_SHADINGS; i++) {
             draw_pair(shaded, &w, &changed, i / FRAME_BACKENDS, i % FRAME_BACKENDS, 0);
         }
@@ -143,35 +146,38 @@ static void compare_changed(change by, comparison *silhouettes, comparison *shad
 
 static void test_permuted_axes(void **state)
 {
-    comparison silhouettes = {0}, shaded = {0};
+    comparison silhouettes = {0}, shaded = {0}, within[FRAME_BACKENDS] = {{0}};
     (void)world_seed(state);
-    compare_changed(permute, &silhouettes, &shaded);
+    compare_changed(permute, &silhouettes, &shaded, within);
     world_expect(&silhouettes, "axes permuted, silhouettes, both", 0, 0);
     world_expect(&shaded, "axes permuted, both", 0, 0);
+    world_expect_within(within, "axes permuted", 0, 0);
 }
 
 static void test_two_axes_flipped(void **state)
 {
-    comparison silhouettes = {0}, shaded = {0};
+    comparison silhouettes = {0}, shaded = {0}, within[FRAME_BACKENDS] = {{0}};
     (void)world_seed(state);
-    compare_changed(half_turn, &silhouettes, &shaded);
+    compare_changed(half_turn, &silhouettes, &shaded, within);
     world_expect(&silhouettes, "two axes flipped, silhouettes, both", 0, 0);
     world_expect(&shaded, "two axes flipped, both", TURNED_CODES, TURNED_SHARE);
+    world_expect_within(within, "two axes flipped", WITHIN_CODES, ANY_SHARE);
 }
 
 static void test_scaled_units(void **state)
 {
-    comparison silhouettes = {0}, shaded = {0};
+    comparison silhouettes = {0}, shaded = {0}, within[FRAME_BACKENDS] = {{0}};
     (void)world_seed(state);
-    compare_changed(scale, &silhouettes, &shaded);
+    compare_changed(scale, &silhouettes, &shaded, within);
     world_expect(&silhouettes, "units scaled by a power of two, silhouettes, both", 0, 0);
     world_expect(&shaded, "units scaled by a power of two, both", 0, 0);
+    world_expect_within(within, "units scaled by a power of two", 0, 0);
 }
 
 static void test_mirrored_world(void **state)
 {
     static const reference_options options = {.edge_px = 2.0 / 256};
-    comparison shaded = {0};
+    comparison shaded = {0}, within[FRAME_BACKENDS] = {{0}};
     uint32_t contested = 0, pixels = 0;
     (void)world_seed(state);
     for (int n = 0; n < WORLD_SCENES; n++) {
@@ -196,12 +202,16 @@ static void test_mirrored_world(void **state)
             }
             frame_free(&a);
             frame_free(&b);
+            if (shading == GLINT_SHADING_EXACT && backend == FRAME_FIXED) {
+                world_compare_within(within, &w, &mirrored, 0, 1, image.mask);
+            }
             reference_free(&image);
         }
     }
     print_message("contested: %.3f %% of %u pixels\n", 100.0 * contested / pixels, pixels);
     assert_true(contested <= CONTESTED_SHARE * pixels);
     world_expect(&shaded, "one axis flipped, both", MIRRORED_CODES, MIRRORED_SHARE);
+    world_expect_within(within, "one axis flipped", WITHIN_CODES, ANY_SHARE);
 }
 
 int main(void)

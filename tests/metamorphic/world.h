@@ -30,6 +30,11 @@ enum {
     WORLD_HEIGHT = 56
 };
 
+/* At tolerance 1, where nothing more is known of a change than that the true colour stays: each picture is within a
+ * code of it, in however many pixels. */
+#define WITHIN_CODES 2
+#define ANY_SHARE 1.0
+
 #define WORLD_SEED 20240611u
 #define ONE_Q16 65536.0
 
@@ -210,6 +215,7 @@ typedef struct comparison {
     uint32_t pixels, differing; /* in any channel */
     int greatest;               /* difference of a channel in codes */
     uint32_t shaded;            /* pixels that were not background, with repetitions */
+    uint32_t below;             /* of those: by a tier below exact */
 } comparison;
 
 /* Pixel (x, y) of a beside pixel (x + shift, y) of b, or (width - 1 - x, y) of b where mirrored. `skip` may be NULL. */
@@ -237,6 +243,43 @@ static inline void world_compare(comparison *sum, const frame *a, const frame *b
     }
 }
 
+/*
+ * At tolerance 1, in both backends: sum[0] and sum[1]. Each pixel of either picture is within what its report promises
+ * of the true colour, and a change that leaves the true colour alone therefore moves a pixel by no more than the sum of
+ * both promises; that much is asserted here for each pair of pictures. Lights are taken as directional in both worlds,
+ * since a point light leaves nothing for the cheaper tiers; sum[].below counts the pixels that those drew.
+ */
+static inline void world_compare_within(comparison sum[FRAME_BACKENDS], const world *a, const world *b, int shift,
+                                        int mirrored, const uint8_t *skip)
+{
+    static world first, second;
+    world_copy(&first, a);
+    world_copy(&second, b);
+    for (int i = 0; i < 2 * WORLD_LIGHTS; i++) {
+        first.lights[i].kind = second.lights[i].kind = GLINT_DIRECTIONAL;
+    }
+    for (int backend = 0; backend < FRAME_BACKENDS; backend++) {
+        comparison pair = {0};
+        frame f = {.display = {.width_px = WORLD_WIDTH, .height_px = WORLD_HEIGHT}, .tolerance = GLINT_CODES(1)};
+        frame g = {.display = {.width_px = (uint16_t)(WORLD_WIDTH + 2 * shift), .height_px = WORLD_HEIGHT},
+                   .tolerance = GLINT_CODES(1)};
+        assert_int_equal(frame_draw(&f, &first.scene, backend), 0);
+        assert_int_equal(frame_draw(&g, &second.scene, backend), 0);
+        world_compare(&pair, &f, &g, shift, mirrored, skip);
+        const unsigned promised = (unsigned)f.report.promise_q8 + g.report.promise_q8;
+        if ((unsigned)pair.greatest * 256 > promised) {
+            fail_msg("%s: %d codes apart, promised are %u / 256", frame_backend_name[backend], pair.greatest, promised);
+        }
+        sum[backend].pixels += pair.pixels;
+        sum[backend].differing += pair.differing;
+        sum[backend].shaded += pair.shaded;
+        sum[backend].greatest = pair.greatest > sum[backend].greatest ? pair.greatest : sum[backend].greatest;
+        sum[backend].below += f.report.pixels_shaded - f.report.tier_pixels[GLINT_TIER_EXACT];
+        frame_free(&f);
+        frame_free(&g);
+    }
+}
+
 /* Prints and asserts. A comparison of empty pictures proves nothing. */
 static inline void world_expect(const comparison *c, const char *what, int codes, double share)
 {
@@ -245,6 +288,19 @@ static inline void world_expect(const comparison *c, const char *what, int codes
     assert_true(c->pixels > 0 && c->shaded > c->pixels / 20);
     assert_true(c->greatest <= codes);
     assert_true(c->differing <= share * c->pixels);
+}
+
+/* The same of what world_compare_within() found, `name` the change. Were few pixels drawn by the cheaper tiers, it
+ * would prove little of them. */
+static inline void world_expect_within(const comparison sum[FRAME_BACKENDS], const char *name, int codes, double share)
+{
+    for (int backend = 0; backend < FRAME_BACKENDS; backend++) {
+        char what[80];
+        (void)snprintf(what, sizeof what, "%s, %s, tolerance 1 (%.0f %% cheaper)", name, frame_backend_name[backend],
+                       100.0 * sum[backend].below / (sum[backend].shaded ? sum[backend].shaded : 1));
+        world_expect(&sum[backend], what, codes, share);
+        assert_true(sum[backend].below > sum[backend].shaded / 10);
+    }
 }
 
 #endif

@@ -1,150 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The command line of glint-render: what it draws and reports for good arguments, and how it refuses bad ones. Runs the
- * program itself, which the environment variable GLINT_RENDER names (default: build/glint-render), in a folder of its
- * own under /tmp.
+ * The command line of glint-render: what it draws and reports for good arguments, and how it refuses bad ones. What
+ * concerns tolerances is in test_render_tolerance.c.
  */
-#include <fcntl.h>
-#include <setjmp.h>
-#include <spawn.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cmocka.h>
-
-#include <cjson/cJSON.h>
+#include "render_cli.h"
 
 #include "examples/scenes/scenes.h"
-#include "tools/picture/picture.h"
-
-extern char **environ;
-
-enum { MAX_ARGUMENTS = 24, OUTPUT_BYTES = 1 << 16, PATH_BYTES = 256 };
-
-static char folder[] = "build/glint-render-XXXXXX";
-
-/* A path in the test's folder, in one of a few buffers, so that several can be used in one call. */
-static const char *in_folder(const char *name)
-{
-    static char paths[8][PATH_BYTES];
-    static unsigned next;
-    char *path = paths[next++ % 8];
-    assert_true(snprintf(path, PATH_BYTES, "%s/%s", folder, name) < PATH_BYTES);
-    return path;
-}
-
-/* ------------------------------------------------------------------------------------------------------ running it */
-
-typedef struct outcome {
-    int status; /* of the exit; -1 when the program did not end by itself */
-    char *standard_output, *standard_error;
-} outcome;
-
-static char *read_text(const char *path)
-{
-    FILE *file = fopen(path, "rb");
-    char *text = calloc(1, OUTPUT_BYTES);
-    assert_non_null(text);
-    if (file != NULL) {
-        (void)!fread(text, 1, OUTPUT_BYTES - 1, file);
-        (void)fclose(file);
-    }
-    return text;
-}
-
-/* arguments: without the program's name, ended by NULL. */
-static outcome run(const char *const *arguments)
-{
-    const char *program = getenv("GLINT_RENDER");
-    char *argv[MAX_ARGUMENTS + 2] = {NULL};
-    const char *output_path = in_folder("stdout"), *error_path = in_folder("stderr");
-    posix_spawn_file_actions_t actions;
-    pid_t child = 0;
-    int status = 0;
-
-    argv[0] = (char *)(uintptr_t)(program != NULL ? program : "build/glint-render");
-    for (int i = 0; arguments[i] != NULL; i++) {
-        assert_true(i < MAX_ARGUMENTS);
-        argv[i + 1] = (char *)(uintptr_t)arguments[i]; /* posix_spawn() takes no const, and changes nothing */
-    }
-    assert_int_equal(posix_spawn_file_actions_init(&actions), 0);
-    const int flags = O_WRONLY | O_CREAT | O_TRUNC;
-    assert_int_equal(posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output_path, flags, 0600), 0);
-    assert_int_equal(posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, error_path, flags, 0600), 0);
-    assert_int_equal(posix_spawn(&child, argv[0], &actions, NULL, argv, environ), 0);
-    assert_int_equal(posix_spawn_file_actions_destroy(&actions), 0);
-    assert_int_equal(waitpid(child, &status, 0), child);
-    return (outcome){.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-                     .standard_output = read_text(output_path),
-                     .standard_error = read_text(error_path)};
-}
-
-static void free_outcome(outcome *o)
-{
-    free(o->standard_output);
-    free(o->standard_error);
-}
-
-#define RUN(...) run((const char *const[]){__VA_ARGS__, NULL})
-
-/* The program ends with `status` and says on standard error something that holds `text`. */
-static void assert_refused(outcome o, int status, const char *text)
-{
-    if (o.status != status || strstr(o.standard_error, text) == NULL) {
-        print_error("expected status %d and a message with \"%s\"; got status %d and: %s\n", status, text, o.status,
-                    o.standard_error);
-    }
-    assert_int_equal(o.status, status);
-    assert_non_null(strstr(o.standard_error, text));
-    assert_string_equal(o.standard_output, "");
-    free_outcome(&o);
-}
-
-static void assert_good(outcome o)
-{
-    if (o.status != 0) {
-        print_error("status %d: %s\n", o.status, o.standard_error);
-    }
-    assert_int_equal(o.status, 0);
-    assert_string_equal(o.standard_error, "");
-    free_outcome(&o);
-}
-
-static bool exists(const char *path)
-{
-    struct stat status;
-    return stat(path, &status) == 0;
-}
-
-/* Neither the file nor what it is written into before it is complete. */
-static void assert_nothing_at(const char *name)
-{
-    char part[PATH_BYTES];
-    assert_true(snprintf(part, sizeof part, "%s.part", name) < PATH_BYTES);
-    assert_false(exists(in_folder(name)));
-    assert_false(exists(in_folder(part)));
-}
-
-static void assert_equal_pictures(const char *path_a, const char *path_b)
-{
-    char error[256] = "";
-    picture a = {0}, b = {0};
-    assert_int_equal(picture_read(path_a, &a, error, sizeof error), 0);
-    assert_int_equal(picture_read(path_b, &b, error, sizeof error), 0);
-    assert_int_equal(a.width, b.width);
-    assert_int_equal(a.height, b.height);
-    assert_memory_equal(a.rgb, b.rgb, (size_t)a.width * (size_t)a.height * 3);
-    picture_free(&a);
-    picture_free(&b);
-}
 
 /* ----------------------------------------------------------------------------------------------------- good arguments
  */
@@ -185,12 +46,12 @@ static void help_tells_the_usage(void **state)
 static void every_backend_shading_and_format_draws(void **state)
 {
     static const char *const backends[] = {"fixed", "float"};
-    static const char *const shadings[] = {"flat", "gouraud", "exact"};
+    static const char *const shadings[] = {"flat", "gouraud", "exact", "q1", "q2"};
     static const char *const formats[] = {"rgb888", "rgb565", "gray8", "gray4", "mono"};
     static const char *const dithers[] = {"none", "bayer"};
     (void)state;
     for (size_t b = 0; b < 2; b++) {
-        for (size_t s = 0; s < 3; s++) {
+        for (size_t s = 0; s < sizeof shadings / sizeof shadings[0]; s++) {
             for (size_t f = 0; f < 5; f++) {
                 for (size_t d = 0; d < 2; d++) {
                     char error[256];
@@ -255,39 +116,13 @@ static void picture_does_not_depend_on_band_memory_or_buffers(void **state)
     }
 }
 
-/* The number at `key` of a report. */
-static double number(const cJSON *report, const char *key)
-{
-    const cJSON *item = cJSON_GetObjectItemCaseSensitive(report, key);
-    if (!cJSON_IsNumber(item)) {
-        fail_msg("no number \"%s\" in the report", key);
-    }
-    return item->valuedouble;
-}
-
-static cJSON *read_report(const char *name)
-{
-    char *text = read_text(in_folder(name));
-    cJSON *report = cJSON_Parse(text);
-    assert_non_null(report);
-    free(text);
-    return report;
-}
-
-static void assert_word(const cJSON *report, const char *key, const char *expected)
-{
-    const cJSON *item = cJSON_GetObjectItemCaseSensitive(report, key);
-    assert_true(cJSON_IsString(item));
-    assert_string_equal(item->valuestring, expected);
-}
-
 static void report_is_json_and_its_counts_agree(void **state)
 {
     (void)state;
     for (unsigned i = 0; i < demo_scene_count; i++) {
         double triangles = 0;
-        assert_good(RUN(demo_scenes[i].name, "-o", in_folder("r.ppm"), "--size", "60x40", "--band", "16", "--report",
-                        in_folder("r.json")));
+        assert_good(RUN(demo_scenes[i].name, "-o", in_folder("r.ppm"), "--size", "60x40", "--band", "16", "--shading",
+                        "exact", "--report", in_folder("r.json")));
         cJSON *report = read_report("r.json");
         assert_word(report, "scene", demo_scenes[i].name);
         assert_word(report, "backend", "fixed");
@@ -426,7 +261,7 @@ static void bad_command_lines_are_refused(void **state)
         {{"--list", "teapot"}, "--list: expected nothing else"},
         {{"teapot", "--backend"}, "--backend: expected fixed, float or reference after it"},
         {{"teapot", "--backend", "double"}, "expected one of fixed, float, reference"},
-        {{"teapot", "--shading", "phong"}, "expected one of exact, gouraud, flat"},
+        {{"teapot", "--shading", "phong"}, "expected one of exact, q2, q1, gouraud, flat"},
         {{"teapot", "--format", "grey8"}, "expected one of rgb888, rgb565, gray8, gray4, mono"},
         {{"teapot", "--dither", "yes"}, "expected one of none, bayer"},
         {{"teapot", "--size", "0x0"}, "expected WxH in pixels such as 320x240, each 1..2048"},
@@ -522,23 +357,14 @@ static void unwritable_outputs_leave_nothing(void **state)
 /* --------------------------------------------------------------------------------------------------------- the program
  */
 
-static int make_folder(void **state)
-{
-    (void)state;
-    return mkdtemp(folder) == NULL;
-}
-
 static int remove_folder(void **state)
 {
-    static const char *const names[] = {"stdout",    "stderr",     "a.ppm",    "b.ppm",        "a.png",
-                                        "band.ppm",  "levels.ppm", "r.ppm",    "r.json",       "whole.ppm",
-                                        "t0.ppm",    "t360.ppm",   "t90.ppm",  "t-270.ppm",    "whole.json",
-                                        "least.ppm", "least.json", "mask.pgm", "reference.ppm"};
+    static const char *const names[] = {"a.ppm",    "b.ppm",         "a.png",      "band.ppm",  "levels.ppm",
+                                        "r.ppm",    "r.json",        "whole.ppm",  "t0.ppm",    "t360.ppm",
+                                        "t90.ppm",  "t-270.ppm",     "whole.json", "least.ppm", "least.json",
+                                        "mask.pgm", "reference.ppm", NULL};
     (void)state;
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        (void)remove(in_folder(names[i]));
-    }
-    return rmdir(folder); /* fails if a test left a file that it should not have */
+    return remove_folder_with(names);
 }
 
 int main(void)

@@ -9,11 +9,20 @@
  *   B           A, flat
  *   C           the sphere of 100 triangles: mostly filling
  *   teapot, knot   the scenes of these names in examples/scenes, at the size they are designed for
+ *   A-60x60     A at a quarter of its size: the same triangles on a sixteenth of the pixels
+ *   A-1x1       A on one pixel: hardly a triangle is left to set up
  *   A-96x64, C-96x64   A and C on a small panel, in bands of 8 rows: what an AVR with 16 KB of RAM can hold
  */
 #include "tools/cost/cases.h"
 
 #include <examples/scenes/parts.h>
+
+/* The cheapest tiers within a tolerance in codes. */
+#define WITHIN(codes)                                                                                                  \
+    "auto", #codes,                                                                                                    \
+    {                                                                                                                  \
+        .tolerance = GLINT_CODES(codes)                                                                                \
+    }
 
 /* Shadings that are forced for the whole frame. */
 #define EXACT                                                                                                          \
@@ -30,6 +39,16 @@
     "flat", "-",                                                                                                       \
     {                                                                                                                  \
         .shading = GLINT_SHADING_FLAT                                                                                  \
+    }
+#define Q1                                                                                                             \
+    "q1", "-",                                                                                                         \
+    {                                                                                                                  \
+        .shading = GLINT_SHADING_Q1                                                                                    \
+    }
+#define Q2                                                                                                             \
+    "q2", "-",                                                                                                         \
+    {                                                                                                                  \
+        .shading = GLINT_SHADING_Q2                                                                                    \
     }
 
 #define OWN_LIGHTS NULL, 0
@@ -55,27 +74,46 @@ const cost_case cost_cases[] = {
 #ifndef __AVR__
     {"A", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 0, EXACT},
     {"A", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 0, GOURAUD},
+    {"A", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 0, Q1},
+    {"A", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 0, Q2},
+    {"A", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 0, WITHIN(0.75)},
+    {"A", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 0, WITHIN(1)},
+    {"A", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 0, WITHIN(2)},
+    {"A", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 0, WITHIN(4)},
+    {"A", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 0, WITHIN(8)},
+    {"A-60x60", &demo_sphere_32x16, OWN_LIGHTS, 60, 60, 0, EXACT},
+    {"A-60x60", &demo_sphere_32x16, OWN_LIGHTS, 60, 60, 0, WITHIN(1)},
+    {"A-1x1", &demo_sphere_32x16, OWN_LIGHTS, 1, 1, 0, EXACT},
+    {"A-1x1", &demo_sphere_32x16, OWN_LIGHTS, 1, 1, 0, WITHIN(1)},
     {"A-bands16", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 16, EXACT},
     {"A-bands16", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 16, GOURAUD},
+    {"A-bands16", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 16, WITHIN(1)},
     {"A-8-lights", &demo_sphere_32x16, EIGHT_LIGHTS, 240, 240, 0, EXACT},
     {"A-8-lights", &demo_sphere_32x16, EIGHT_LIGHTS, 240, 240, 0, GOURAUD},
+    {"A-8-lights", &demo_sphere_32x16, EIGHT_LIGHTS, 240, 240, 0, WITHIN(1)},
     {"B", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 0, FLAT},
+    {"B", &demo_sphere_32x16, OWN_LIGHTS, 240, 240, 0, WITHIN(1)},
     {"C", &demo_sphere_10x6, OWN_LIGHTS, 240, 240, 0, EXACT},
     {"C", &demo_sphere_10x6, OWN_LIGHTS, 240, 240, 0, GOURAUD},
     {"C", &demo_sphere_10x6, OWN_LIGHTS, 240, 240, 0, FLAT},
+    {"C", &demo_sphere_10x6, OWN_LIGHTS, 240, 240, 0, WITHIN(1)},
     {"teapot", &demo_teapot, OWN_LIGHTS, 320, 240, 0, EXACT},
     {"teapot", &demo_teapot, OWN_LIGHTS, 320, 240, 0, GOURAUD},
     {"teapot", &demo_teapot, OWN_LIGHTS, 320, 240, 0, FLAT},
+    {"teapot", &demo_teapot, OWN_LIGHTS, 320, 240, 0, WITHIN(1)},
     {"knot", &demo_torus_knot, OWN_LIGHTS, 240, 240, 0, EXACT},
     {"knot", &demo_torus_knot, OWN_LIGHTS, 240, 240, 0, GOURAUD},
     {"knot", &demo_torus_knot, OWN_LIGHTS, 240, 240, 0, FLAT},
+    {"knot", &demo_torus_knot, OWN_LIGHTS, 240, 240, 0, WITHIN(1)},
 #endif
     {"A-96x64", &demo_sphere_32x16, OWN_LIGHTS, 96, 64, 8, EXACT},
     {"A-96x64", &demo_sphere_32x16, OWN_LIGHTS, 96, 64, 8, GOURAUD},
     {"A-96x64", &demo_sphere_32x16, OWN_LIGHTS, 96, 64, 8, FLAT},
+    {"A-96x64", &demo_sphere_32x16, OWN_LIGHTS, 96, 64, 8, WITHIN(1)},
     {"C-96x64", &demo_sphere_10x6, OWN_LIGHTS, 96, 64, 8, EXACT},
     {"C-96x64", &demo_sphere_10x6, OWN_LIGHTS, 96, 64, 8, GOURAUD},
     {"C-96x64", &demo_sphere_10x6, OWN_LIGHTS, 96, 64, 8, FLAT},
+    {"C-96x64", &demo_sphere_10x6, OWN_LIGHTS, 96, 64, 8, WITHIN(1)},
 };
 /* clang-format on */
 

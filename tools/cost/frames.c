@@ -5,6 +5,7 @@
 
 #include <glint/fixed.h>
 #include <glint/float.h>
+#include <glint/memory.h>
 
 #include "tests/target/selftest.h"
 
@@ -31,8 +32,11 @@ size_t cost_frame_bytes(const cost_case *c, int backend, uint8_t format)
 {
     const glint_scene scene = cost_scene(c);
     const glint_display display = display_of(c, format);
-    return backend == COST_FIXED ? glint_fixed_memory_bytes(&scene, &display)
-                                 : glint_float_memory_bytes(&scene, &display);
+    const size_t ramps =
+        c->quality.tolerance ? (size_t)scene.object_count * GLINT_RAMP_WORDS * sizeof(uint32_t) : (size_t)0;
+    const size_t bytes =
+        backend == COST_FIXED ? glint_fixed_memory_bytes(&scene, &display) : glint_float_memory_bytes(&scene, &display);
+    return bytes == 0 ? 0 : bytes + ramps;
 }
 
 int cost_draw(const cost_case *c, int backend, uint8_t format, glint_flush flush, void *context, void *memory,

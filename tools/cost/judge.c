@@ -10,16 +10,18 @@
  *     scene, backend, shading, tolerance   as in cases.c; tolerance in codes, empty where the shading is forced
  *     frame       one call of glint_*_render(), clears included, flush empty
  *     per_pixel   that for each pixel of the display that the scene covers, overdrawn or not
- *     max_error   codes of 1/255, greatest |code - 255 L| of the RGB888 picture, its rounding (0.5) included, L the
- * model at each pixel in double precision (exact shading, whatever shading is counted); plain pixels psnr_db     of the
- * same pixels against round(255 L) promised    the error that the library's report promised; empty where it promises
- * none
+ *     max_error   codes of 1/255: the greatest |code - 255 L| of plain pixels of the RGB888 picture, its rounding (0.5)
+ *                 included; L: the model at each pixel in double precision (exact shading, whatever is counted)
+ *     psnr_db     of the same pixels against round(255 L)
+ *     promised    the error in codes that the library's report promised; empty where it promises none
+ *     triangles   drawn: that face the eye and are on the display
  *
  * Errors are of frames drawn here, on the host. The fixed backend draws the same bits everywhere: the hash of each of
  * its frames, drawn on the target in RGB565, is compared with the host's. For float they are the host's alone.
  *
  * A row is written for a frame that was counted, and for no other. Ends with status 1, naming what is wrong: a frame
- * that failed or has another hash, a second frame that costs other than the first, a counter that is not calibrated.
+ * that failed or has another hash, a second frame that costs other than the first, a counter that is not calibrated, a
+ * picture that errs by more than was promised. What a frame should cost is for goals.awk to tell.
  */
 #include <math.h>
 #include <stdarg.h>
@@ -43,7 +45,8 @@ enum { WORD_BYTES = 64, LINE_BYTES = 512 };
 typedef struct measured {
     double max_codes, psnr_db;
     uint64_t hash; /* fixed backend, RGB565 */
-    uint32_t covered;
+    uint32_t covered, triangles;
+    double promised; /* codes; negative: no promise */
 } measured;
 
 typedef struct report {
@@ -85,14 +88,15 @@ static int take_rgb888(void *context, const glint_band *band)
     return 0;
 }
 
-static void draw(const cost_case *c, int backend, uint8_t format, glint_flush flush, void *context)
+static void draw(const cost_case *c, int backend, uint8_t format, glint_flush flush, void *context,
+                 glint_report *report)
 {
     const size_t bytes = cost_frame_bytes(c, backend, format);
     void *memory = allocate(bytes);
-    const int error = cost_draw(c, backend, format, flush, context, memory, bytes, NULL);
+    const int error = cost_draw(c, backend, format, flush, context, memory, bytes, report);
     if (error) {
-        complain("%s %s %s: the host cannot draw it: error %d", c->scene, cost_backend_names[backend], c->shading,
-                 error);
+        complain("%s %s %s %s: the host cannot draw it: error %d", c->scene, cost_backend_names[backend], c->shading,
+                 c->tolerance, error);
     }
     free(memory);
 }
@@ -127,12 +131,19 @@ static measured measure(const cost_case *c, int backend)
     const size_t pixels = (size_t)c->width_px * c->height_px;
     uint8_t *rgb = allocate(pixels * 3);
     reference_verdict verdict;
-    measured m = {0, 0, HASH_START, 0};
-    draw(c, backend, GLINT_RGB888, take_rgb888, rgb);
+    glint_report r = {.promise_q8 = UINT16_MAX};
+    measured m = {.hash = HASH_START};
+    draw(c, backend, GLINT_RGB888, take_rgb888, rgb, &r);
     reference_check(image, rgb, 1, &verdict);
     free(rgb);
     m.max_codes = verdict.max_codes;
     m.psnr_db = verdict.psnr_db;
+    m.triangles = r.triangles_drawn;
+    m.promised = r.promise_q8 == UINT16_MAX ? -1 : r.promise_q8 / 256.0;
+    if (m.promised >= 0 && m.max_codes > m.promised) {
+        complain("%s %s %s %s: the picture errs by %.3f codes, promised were %.3f", c->scene,
+                 cost_backend_names[backend], c->shading, c->tolerance, m.max_codes, m.promised);
+    }
     for (size_t i = 0; i < pixels; i++) {
         m.covered += image->triangle[i] >= 0;
     }
@@ -142,7 +153,7 @@ static measured measure(const cost_case *c, int backend)
                  (unsigned long)m.covered);
     }
     if (backend == COST_FIXED) {
-        draw(c, backend, GLINT_RGB565, cost_hash_band, &m.hash);
+        draw(c, backend, GLINT_RGB565, cost_hash_band, &m.hash, NULL);
     }
     return m;
 }
@@ -212,8 +223,8 @@ static void read_cost(const report *r, char **words)
     const int backend = strcmp(backend_name, cost_backend_names[COST_FIXED]) == 0 ? COST_FIXED : COST_FLOAT;
     const measured *m = measured_of(c, backend);
     if (backend == COST_FIXED && m->hash != hash) {
-        complain("%s: %s %s: another picture than the host's: hash %016llx, not %016llx", r->target, scene, shading,
-                 hash, (unsigned long long)m->hash);
+        complain("%s: %s %s %s: another picture than the host's: hash %016llx, not %016llx", r->target, scene, shading,
+                 tolerance, hash, (unsigned long long)m->hash);
         return;
     }
     const unsigned long apart = first > second ? first - second : second - first;
@@ -223,8 +234,13 @@ static void read_cost(const report *r, char **words)
         return;
     }
     const double frame = (double)second * (double)r->step;
-    printf("%s,%s,%s,%s,%s,%s,%.0f,%.1f,%.2f,%.1f,\n", r->target, r->unit, scene, backend_name, shading,
-           strcmp(tolerance, "-") == 0 ? "" : tolerance, frame, frame / m->covered, m->max_codes, m->psnr_db);
+    char promised[WORD_BYTES] = "";
+    if (m->promised >= 0) {
+        snprintf(promised, sizeof promised, "%.2f", m->promised);
+    }
+    printf("%s,%s,%s,%s,%s,%s,%.0f,%.1f,%.2f,%.1f,%s,%lu\n", r->target, r->unit, scene, backend_name, shading,
+           strcmp(tolerance, "-") == 0 ? "" : tolerance, frame, frame / m->covered, m->max_codes, m->psnr_db, promised,
+           (unsigned long)m->triangles);
 }
 
 static void read_line(report *r, char *line)
@@ -281,7 +297,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: cost-judge TARGET REPORT ...  >cost.csv\n");
         return 2;
     }
-    puts("target,unit,scene,backend,shading,tolerance,frame,per_pixel,max_error,psnr_db,promised");
+    puts("target,unit,scene,backend,shading,tolerance,frame,per_pixel,max_error,psnr_db,promised,triangles");
     for (int i = 1; i < argc; i += 2) {
         read_report(argv[i], argv[i + 1]);
     }

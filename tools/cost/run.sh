@@ -5,7 +5,7 @@
 #
 #     tools/cost/run.sh probe TARGET          says what is missing to compile and run it, with its package; status 1 then
 #     tools/cost/run.sh run BUILD TARGET      BUILD/cost/... programs -> BUILD/cost/TARGET.txt
-#     tools/cost/run.sh table BUILD PEERS TARGET...   reports -> BUILD/cost/cost.csv, and both as a table
+#     tools/cost/run.sh table BUILD PEERS TARGET...   reports -> BUILD/cost/cost.csv, with PEERS as a table, and the goals
 #
 # A report is there only if its program came to its end. A target without a report has no rows.
 set -euo pipefail
@@ -97,6 +97,7 @@ table)
     rm -f "$build/cost/cost.csv"
     "$build/cost-judge" "${reports[@]}" >"$build/cost/cost.csv" || status=$?
     awk -f tools/cost/table.awk "$build/cost/cost.csv" "$peers"
+    awk -f tools/cost/goals.awk "$peers" "$build/cost/cost.csv"
     echo "Written: $build/cost/cost.csv"
     exit $status
     ;;

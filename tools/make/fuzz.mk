@@ -7,7 +7,7 @@ FUZZ_SECONDS ?= 600
 FUZZ_SEED ?= 0
 
 FUZZ_SANITIZE := -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer
-FUZZ_SOURCES := $(sort $(wildcard $(FUZZ)/fuzz_*.c))
+FUZZ_SOURCES := $(sort $(wildcard $(FUZZ)/fuzz_*.c)) $(FUZZ)/assimp_alone.c
 TARGET_SOURCES += $(FUZZ_SOURCES)
 
 .PHONY: fuzz fuzz-short run-fuzz
@@ -32,8 +32,12 @@ run-fuzz-scene: $(B)/fuzz-scene
 	@awk '/number_of_executed_units/ { n = $$2 } /average_exec_per_sec/ { a = $$2 } \
 		END { print "fuzz-scene: nothing found in " n " scenes, " a " a second" }' $(B)/scene/log
 
-run-fuzz-import: $(B)/fuzz-import
-	@$(FUZZ)/run-import.sh $(B)/fuzz-import $(B)/import $(FUZZ_SECONDS) $(FUZZ_SEED) $(FUZZ)/corpus-import
+run-fuzz-import: $(B)/fuzz-import $(B)/assimp-alone
+	@$(FUZZ)/run-import.sh $^ $(B)/import $(FUZZ_SECONDS) $(FUZZ_SEED) $(FUZZ)/corpus-import
+
+# The importer's fuzzer with another import_scene(), which is found before the archive's.
+$(B)/assimp-alone: $(B)/obj/$(FUZZ)/fuzz_import.o $(B)/obj/$(FUZZ)/assimp_alone.o $(HOST_ARCHIVES)
+	$(call run,LINK)$(CC) $(CFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $^ $(OPTIONAL_LIBS) -lm
 
 $(B)/fuzz-%: $(B)/obj/$(FUZZ)/fuzz_%.o $(HOST_ARCHIVES)
 	$(call run,LINK)$(CC) $(CFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $^ $(OPTIONAL_LIBS) -lm

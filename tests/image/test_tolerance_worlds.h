@@ -1,0 +1,316 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Random scenes for the tolerance's test: what the bounds reason about is driven to its ends. One to eight lights of
+ * any brightness, some that graze, some point lights near a surface; exponents from 1 to 512; triangles large and small
+ * on the screen, with corner normals near together and far apart; placed mirrored and unequally stretched; eyes near
+ * and far, fields of view from 20 to 120 degrees.
+ *
+ * Each scene has a generator of its own, seeded with the run's seed and its number, so that it can be drawn alone.
+ */
+#ifndef GLINT_TESTS_IMAGE_TEST_TOLERANCE_WORLDS_H
+#define GLINT_TESTS_IMAGE_TEST_TOLERANCE_WORLDS_H
+
+#include <math.h>
+#include <string.h>
+
+#include <glint/glint.h>
+
+#include "examples/meshes/meshes.h"
+#include "tests/unit/backends.h"
+
+enum { WORLD_OBJECTS = 3, WORLD_LIGHTS = 8, SHARDS = 6 };
+
+#define Q16 65536.0
+
+typedef struct world {
+    glint_camera camera;
+    glint_object objects[WORLD_OBJECTS];
+    glint_material materials[WORLD_OBJECTS];
+    glint_light lights[WORLD_LIGHTS];
+    int16_t positions[3 * SHARDS][3], normals[3 * SHARDS][3];
+    uint16_t triangles[2 * SHARDS][3];
+    glint_mesh shards;
+    glint_scene scene;
+    uint16_t width_px, height_px;
+    uint64_t random;
+} world;
+
+static int32_t between(world *w, int32_t low, int32_t high)
+{
+    return low + (int32_t)((uint64_t)random_u24(&w->random) * (uint32_t)(high - low + 1) >> 24);
+}
+
+static double uniform(world *w, double low, double high)
+{
+    return low + (high - low) * random_u24(&w->random) / 16777216.0;
+}
+
+/* Its logarithm is uniform. */
+static double of_any_size(world *w, double low, double high)
+{
+    return low * pow(high / low, uniform(w, 0, 1));
+}
+
+static bool one_in(world *w, int count)
+{
+    return between(w, 1, count) == 1;
+}
+
+static void any_direction(world *w, double v[3])
+{
+    double square;
+    do {
+        square = 0;
+        for (int k = 0; k < 3; k++) {
+            v[k] = uniform(w, -1, 1);
+            square += v[k] * v[k];
+        }
+    } while (square > 1 || square < 0.01);
+    for (int k = 0; k < 3; k++) {
+        v[k] /= sqrt(square);
+    }
+}
+
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    for (int k = 0; k < 3; k++) {
+        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    }
+}
+
+static void to_q16(const double v[3], int32_t out[3])
+{
+    for (int k = 0; k < 3; k++) {
+        out[k] = (int32_t)lrint(v[k] * Q16);
+    }
+}
+
+static int16_t q14(double level)
+{
+    return (int16_t)lrint(16384 * fmin(level, 1.9999));
+}
+
+/* Grey, or each channel on its own. */
+static glint_colour colour(world *w, double most, bool grey)
+{
+    const int16_t first = q14(uniform(w, 0, most));
+    const glint_colour out = {first, grey ? first : q14(uniform(w, 0, most)), grey ? first : q14(uniform(w, 0, most))};
+    return out;
+}
+
+static void make_material(world *w, glint_material *m)
+{
+    m->ambient = colour(w, one_in(w, 4) ? 0.9 : 0.2, one_in(w, 2));
+    m->diffuse = colour(w, 1, one_in(w, 2));
+    if (!one_in(w, 3)) {
+        m->specular = colour(w, of_any_size(w, 0.01, 1), one_in(w, 2));
+        if (one_in(w, 4)) { /* tinted as the diffuse light is */
+            m->specular.r_q14 = m->diffuse.r_q14 / 2;
+            m->specular.g_q14 = m->diffuse.g_q14 / 2;
+            m->specular.b_q14 = m->diffuse.b_q14 / 2;
+        }
+    }
+    m->exponent_q4 = (uint16_t)lrint(16 * of_any_size(w, 1, 512));
+    m->specular_model = (uint8_t)between(w, GLINT_PHONG, GLINT_BLINN);
+}
+
+/* Triangles that share nothing: corners and normals of any kind, both sides shown. */
+static void make_shards(world *w)
+{
+    for (int t = 0; t < SHARDS; t++) {
+        double base[3];
+        const double size = of_any_size(w, 0.05, 1), spread = of_any_size(w, 0.001, 1.5);
+        any_direction(w, base);
+        double centre[3];
+        for (int k = 0; k < 3; k++) {
+            centre[k] = uniform(w, -0.5, 0.5);
+        }
+        for (int i = 0; i < 3; i++) {
+            double off[3], n[3], length = 0;
+            any_direction(w, off);
+            any_direction(w, n);
+            for (int k = 0; k < 3; k++) {
+                w->positions[3 * t + i][k] = (int16_t)lrint(16384 * (centre[k] + size * off[k]));
+                n[k] = base[k] + spread * n[k];
+                length += n[k] * n[k];
+            }
+            for (int k = 0; k < 3; k++) {
+                w->normals[3 * t + i][k] = (int16_t)lrint(16384 * n[k] / sqrt(length));
+            }
+            w->triangles[2 * t][i] = (uint16_t)(3 * t + i);
+            w->triangles[2 * t + 1][i] = (uint16_t)(3 * t + 2 - i);
+        }
+    }
+    w->shards.positions = (const int16_t(*)[3])w->positions;
+    w->shards.normals_q14 = (const int16_t(*)[3])w->normals;
+    w->shards.triangles = (const uint16_t(*)[3])w->triangles;
+    w->shards.vertex_count = 3 * SHARDS;
+    w->shards.triangle_count = 2 * SHARDS;
+    w->shards.fraction_bits = 14;
+}
+
+/* Turned, and every second one stretched or mirrored; about `size` from its middle to its farthest point. */
+static glint_place place_at(world *w, const double centre[3], double size)
+{
+    int32_t scale[3], origin[3];
+    const bool stretched = one_in(w, 3), mirrored = one_in(w, 4);
+    for (int k = 0; k < 3; k++) {
+        scale[k] = (int32_t)lrint(Q16 * size * (stretched ? of_any_size(w, 0.3, 1) : 1));
+    }
+    const glint_place scaled = glint_scale(mirrored ? -scale[0] : scale[0], scale[1], scale[2]);
+    const glint_place x = glint_turn_x((uint16_t)between(w, 0, 65535));
+    const glint_place y = glint_turn_y((uint16_t)between(w, 0, 65535));
+    const glint_place z = glint_turn_z((uint16_t)between(w, 0, 65535));
+    to_q16(centre, origin);
+    const glint_place shift = glint_shift(origin[0], origin[1], origin[2]);
+    glint_place place = glint_then(&scaled, &x);
+    place = glint_then(&place, &y);
+    place = glint_then(&place, &z);
+    return glint_then(&place, &shift);
+}
+
+/* `towards`: from the scene to the eye. */
+static void make_light(world *w, glint_light *light, const double towards[3], bool white, bool may_be_near)
+{
+    static const double levels[] = {0.05, 0.3, 0.8, 1.5};
+    double way[3], side[3];
+    any_direction(w, side);
+    for (int k = 0; k < 3; k++) { /* mostly from before the scene; else from anywhere, so that it grazes */
+        way[k] = one_in(w, 3) ? side[k] : side[k] + towards[k];
+    }
+    if (one_in(w, 6)) {
+        cross(towards, side, way);
+    }
+    light->kind = GLINT_DIRECTIONAL;
+    for (int k = 0; k < 3; k++) {
+        light->direction[k] = (int16_t)lrint(-12000 * way[k]);
+    }
+    light->direction[0] = (int16_t)(light->direction[0] | 1); /* not zero */
+    if (may_be_near && one_in(w, 2)) {
+        light->kind = GLINT_POINT;
+        const double distance = of_any_size(w, 1.05, 8);
+        for (int k = 0; k < 3; k++) {
+            light->position_q16[k] = (int32_t)lrint(Q16 * distance * way[k]);
+        }
+    }
+    light->colour = colour(w, levels[between(w, 0, 3)], white);
+    const int dark = between(w, 0, 15); /* now and then two channels, or all three */
+    light->colour.r_q14 = dark == 1 || dark == 2 ? 0 : light->colour.r_q14;
+    light->colour.g_q14 = dark == 2 || dark == 3 ? 0 : light->colour.g_q14;
+    light->colour.b_q14 = dark == 3 || dark == 1 ? 0 : light->colour.b_q14;
+    if (dark == 0) {
+        light->colour.r_q14 = light->colour.g_q14 = light->colour.b_q14 = 0;
+    }
+}
+
+/* Scene `number` of the run. Pointers go into *w, so it must stay where it is. */
+static void make_world(world *w, uint32_t seed, uint32_t number)
+{
+    static const glint_mesh *const meshes[] = {
+        &glint_mesh_sphere_10x6, &glint_mesh_sphere_24x12, &glint_mesh_sphere_32x16, &glint_mesh_box,
+        &glint_mesh_torus_knot,  &glint_mesh_teapot_small, &glint_mesh_plane};
+    static const double extents[] = {1, 1, 1, 1.74, 2, 4, 1.42};
+    double towards[3], up[3], eye[3], target[3];
+    memset(w, 0, sizeof *w);
+    w->random = ((uint64_t)seed << 32) + number;
+    (void)random_u24(&w->random);
+    w->width_px = (uint16_t)between(w, 64, 160);
+    w->height_px = (uint16_t)between(w, 48, 120);
+    make_shards(w);
+
+    w->scene.object_count = (uint16_t)between(w, 1, WORLD_OBJECTS);
+    for (uint16_t i = 0; i < w->scene.object_count; i++) {
+        double centre[3];
+        const int kind = between(w, 0, 9);
+        glint_object *object = &w->objects[i];
+        for (int k = 0; k < 3; k++) {
+            centre[k] = i == 0 ? 0 : uniform(w, -1, 1);
+        }
+        object->mesh = kind < 7 ? meshes[kind] : kind == 7 ? meshes[1] : &w->shards;
+        object->material = &w->materials[i];
+        object->place = place_at(w, centre, kind < 7 ? 1 / extents[kind] : 1);
+        make_material(w, &w->materials[i]);
+    }
+
+    /* the first object fills the frame, or stands in it, or is a spot */
+    const double field = uniform(w, 20, 120), half = tan(field * acos(-1) / 360);
+    const double distance = one_in(w, 3) ? uniform(w, 1.1, 2) : fmax(1.1, of_any_size(w, 0.7, 8) / half);
+    any_direction(w, towards);
+    do {
+        any_direction(w, up);
+    } while (fabs(up[0] * towards[0] + up[1] * towards[1] + up[2] * towards[2]) > 0.95);
+    for (int k = 0; k < 3; k++) {
+        eye[k] = distance * towards[k];
+        target[k] = uniform(w, -0.4, 0.4);
+        w->camera.up[k] = (int16_t)lrint(32000 * up[k]);
+    }
+    to_q16(eye, w->camera.eye_q16);
+    to_q16(target, w->camera.target_q16);
+    w->camera.field_of_view_turn16 = (uint16_t)lrint(field / 360 * 65536);
+    w->camera.near_q16 = (int32_t)lrint(Q16 * fmax(0.05, (distance - 1) * 0.5));
+
+    const bool white = one_in(w, 2), points = one_in(w, 5);
+    w->scene.light_count = (uint16_t)(one_in(w, 2) ? between(w, 1, 3) : between(w, 1, WORLD_LIGHTS));
+    for (uint16_t i = 0; i < w->scene.light_count; i++) {
+        make_light(w, &w->lights[i], towards, white, points);
+    }
+    w->scene.camera = &w->camera;
+    w->scene.objects = w->objects;
+    w->scene.lights = w->lights;
+    w->scene.ambient = colour(w, 1, one_in(w, 2));
+    w->scene.background = colour(w, 1, false);
+}
+
+/*
+ * A square that fills the frame with two triangles, seen by an eye at (0, 0, 5), turned by `aslant` degrees. Normals
+ * lean away from the middle by `spread` to 16384, at INT16_MAX in the square's plane. One light along -direction, a
+ * weak one beside it.
+ */
+static void make_board(world *w, int spread, double aslant, int model, uint16_t exponent_q4, const int16_t direction[3])
+{
+    static const int16_t corners[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    static const int16_t beside[3] = {300, -200, -1000};
+    const glint_material material = {.ambient = GLINT_RGB(20, 10, 30),
+                                     .diffuse = GLINT_RGB(120, 180, 90),
+                                     .specular = GLINT_RGB(100, 100, 60),
+                                     .exponent_q4 = exponent_q4,
+                                     .specular_model = (uint8_t)model};
+    const glint_light weak = {.colour = GLINT_RGB(30, 60, 90)}, strong = {.colour = GLINT_WHITE};
+    const glint_colour white = GLINT_WHITE;
+    memset(w, 0, sizeof *w);
+    for (int i = 0; i < 4; i++) {
+        for (int k = 0; k < 2; k++) {
+            w->positions[i][k] = (int16_t)(corners[i][k] * 20000);
+            w->normals[i][k] = (int16_t)(corners[i][k] * spread);
+        }
+        w->normals[i][2] = spread == INT16_MAX ? 0 : 16384;
+    }
+    memcpy(w->triangles, triangles, sizeof triangles);
+    w->shards.positions = (const int16_t(*)[3])w->positions;
+    w->shards.normals_q14 = (const int16_t(*)[3])w->normals;
+    w->shards.triangles = (const uint16_t(*)[3])w->triangles;
+    w->shards.vertex_count = 4;
+    w->shards.triangle_count = 2;
+    w->shards.fraction_bits = 10;
+    w->materials[0] = material;
+    w->objects[0].mesh = &w->shards;
+    w->objects[0].material = &w->materials[0];
+    w->objects[0].place = glint_turn_x((uint16_t)(aslant / 360 * 65536));
+    w->lights[0] = strong;
+    w->lights[1] = weak;
+    memcpy(w->lights[0].direction, direction, sizeof w->lights[0].direction);
+    memcpy(w->lights[1].direction, beside, sizeof w->lights[1].direction);
+    w->camera.eye_q16[2] = (int32_t)(5 * Q16);
+    w->camera.field_of_view_turn16 = 16384;
+    w->camera.near_q16 = (int32_t)Q16 / 4;
+    w->scene.camera = &w->camera;
+    w->scene.objects = w->objects;
+    w->scene.object_count = 1;
+    w->scene.lights = w->lights;
+    w->scene.light_count = 2;
+    w->scene.ambient = white;
+    w->width_px = w->height_px = 33;
+}
+
+#endif
