@@ -58,3 +58,22 @@ awk '
     }
     END { for (key in old) { split(key, part, SUBSEP); if (part[2] == 6 && !(part[1] in seen)) { print part[1] " gone" } } }
 ' "$baseline" "$report"
+
+# Goals, printed and not enforced. Stack: as the self-test measured it (`make targets` in the same build folder), painted,
+# while it drew its pictures; its flush function and printing are in it.
+goal() { # met? text
+    if [ "$1" -eq 1 ]; then printf '  met     %s\n' "$2"; else printf '  MISSED  %s\n' "$2"; fi
+}
+echo "Goals: flash of the fixed backend on Cortex-M0+ with -Os 10240 bytes, all tiers, diffuse and specular; stack 1024 bytes:"
+flash=$(awk '$1 == "m0plus-fixed" { print $6 }' "$report")
+[ -z "$flash" ] || goal $((flash <= 10240)) "m0plus   flash of size-fixed.elf: $flash bytes"
+for target in m0plus m4f avr; do
+    measured=$folder/../targets/$target/report.txt
+    if [ ! -f "$measured" ]; then
+        echo "          $target: no stack was measured: make targets"
+        continue
+    fi
+    grep '^stack ' "$measured" | tr -d '\r' | while read -r _ what bytes; do
+        goal $((bytes <= 1024)) "$target $what: $bytes bytes of stack"
+    done
+done

@@ -25,17 +25,23 @@ void glint_curve_of(uint8_t class, uint8_t degree, glint_curve *curve)
     curve->error_q16 = flash_u16(&entry[3]);
 }
 
+/* sqrt(exponent + 1.72) in Q4 of the root of sixteenths, rounded up: 0.607 of it is the greatest slope of cos^exponent
+ * for exponents from 1 on, where it is sqrt(a) (1 - 1/a)^((a-1)/2). */
+static uint32_t slope_root_q4(uint16_t exponent_q4)
+{
+    return glint_square_root_u32(((uint32_t)exponent_q4 + 28) << 8) + 1;
+}
+
 uint32_t glint_bound_gloss(uint32_t specular, uint16_t exponent_q4)
 {
-    /* 0.607 / 4 2.5e-4 = 2.49 / 2^16, with the root of sixteenths */
-    return ((specular * glint_square_root_u32((uint32_t)exponent_q4 << 8)) >> 4) * 5 >> 17;
+    /* 0.607 / 4 2.5e-4 = 2.49 / 2^16 */
+    return ((specular * slope_root_q4(exponent_q4)) >> 4) * 5 / 131072 + 1;
 }
 
 uint32_t glint_bound_turned(uint32_t specular, uint16_t exponent_q4)
 {
-    /* 2 0.607 / 4 = 0.3035, with the root of sixteenths: 0.3035 / 16 = 1243 / 2^16 */
-    const uint32_t root_q4 = glint_square_root_u32((uint32_t)exponent_q4 << 8) + 1;
-    return multiply_high_u32(specular << 8, (root_q4 * 1244) << 8) + 1;
+    /* 2 0.607 / 4 = 0.3035; / 16: 1244 / 2^16 */
+    return multiply_high_u32(specular << 8, (slope_root_q4(exponent_q4) * 1244) << 8) + 1;
 }
 
 uint32_t glint_bound_highlight_q15(uint32_t specular, uint16_t exponent_q4)
@@ -79,13 +85,14 @@ uint32_t glint_bound_longer_q15(uint32_t chord_q16)
     }
     /* (1 - x)^(-1/2) <= 1 + x / 2 + 0.55 x^2 for x <= 1/3 */
     const uint32_t third_q15 = chord_q16 / 6 + 1;
-    return third_q15 / 2 + ((third_q15 * third_q15 >> 15) * 9 >> 4) + 1;
+    return third_q15 / 2 + ((third_q15 * third_q15 >> 15) * 9 >> 4) + 2;
 }
 
 void glint_bound_gloss_table(uint32_t angle_q15, uint8_t *bits, uint16_t *cells)
 {
-    /* 1 - cos a <= a^2 / 2; Q30 to Q28. At most 2, the gap of opposite directions. */
-    const uint32_t gap_q28 = angle_q15 > 65535 ? (uint32_t)1 << 29 : (angle_q15 * angle_q15) >> 3;
+    /* 1 - cos a <= a^2 / 2; Q30 to Q28 */
+    const uint32_t square = angle_q15 > 46340 ? (uint32_t)1 << 28 : (angle_q15 * angle_q15) >> 3;
+    const uint32_t gap_q28 = square < (uint32_t)1 << 28 ? square : (uint32_t)1 << 28; /* a right angle's */
     *bits = 0;
     while (gap_q28 >> *bits >= GLINT_GLOSS_CELLS) {
         (*bits)++;
@@ -98,10 +105,13 @@ uint32_t glint_bound_gloss_error(uint32_t specular, uint16_t exponent_q4, uint8_
     /* exponent 2^bits / 2^28, Q16 */
     const uint32_t product_q16 =
         bits >= 16 ? (uint32_t)exponent_q4 << (bits - 16) : (uint32_t)exponent_q4 >> (16 - bits);
+    /* below 2 the second derivative has no bound beside a right angle; there a chord errs by less than 1/32 of a cell
+     */
+    const uint32_t shallow = exponent_q4 < 32 ? (specular >> (33 - bits)) + 1 : 0;
     if (product_q16 > 65535) {
         return specular;
     }
-    return multiply_high_u32(specular << 8, (product_q16 * product_q16) >> 11) + 2;
+    return multiply_high_u32(specular << 8, (product_q16 * product_q16) >> 11) + shallow + 2;
 }
 
 uint32_t glint_bound_shows_q15(uint32_t gap_q28, uint32_t error, uint32_t gloss)
@@ -109,8 +119,7 @@ uint32_t glint_bound_shows_q15(uint32_t gap_q28, uint32_t error, uint32_t gloss)
     /* error / gloss in Q28: 2^62 / (gloss 2^up) */
     const int up = clz32(gloss | 1);
     const uint32_t r = glint_reciprocal_q31((gloss | 1) << up);
-    const uint32_t off_q26 =
-        error > 1023 ? (uint32_t)1 << 26 : multiply_high_u32(error << 22, r) >> (26 - (up < 26 ? up : 26));
+    const uint32_t off_q26 = error > 1023 ? (uint32_t)1 << 26 : multiply_high_u32(error << 22, r) >> (26 - up);
     const uint32_t gap = gap_q28 + (off_q26 < (uint32_t)1 << 26 ? off_q26 << 2 : (uint32_t)1 << 28) + 64;
     if (gap >= (uint32_t)1 << 28) {
         return GLINT_FAR_Q15;
@@ -123,7 +132,10 @@ uint32_t glint_bound_per_turn_q20(uint32_t turn_q20)
 {
     /* 2^20 2^5 / turn, 2^62 / (turn 2^up) being the reciprocal; less than 2^10 of turn is taken for that */
     const uint32_t turn = turn_q20 < 1024 ? 1024 : turn_q20;
-    const int up = clz32(turn);
+    if (turn > (uint32_t)1 << 25) {
+        return 0;
+    }
+    const int up = clz32(turn) & 31;
     return glint_reciprocal_q31(turn << up) >> (37 - up);
 }
 
@@ -166,8 +178,7 @@ static bool affine_serves(uint32_t turned, uint32_t chord_q16, uint32_t rise_q16
     }
     /* (turned (r - 1) / 4)^2 D <= 16^2 (1 - D/3), and D <= 1: 2/3 for the last factor */
     const uint32_t moved = multiply_high_u32(turned << 8, rise_q16 << 6); /* < 2^16 */
-    const uint32_t square = moved < 1024 ? moved * moved : (uint32_t)1 << 20;
-    return ((square + 1) >> 4) * (chord_q16 >> 4) <= 170u << 8;
+    return moved < 1024 && ((moved * moved + 15) >> 4) * ((chord_q16 + 15) >> 4) <= 170u << 8;
 }
 
 void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3], uint8_t tolerance, uint8_t least,
@@ -233,6 +244,9 @@ void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3]
     for (uint8_t degree = 0; degree < GLINT_CURVE_DEGREES; degree++) {
         const uint8_t tier = (uint8_t)(GLINT_TIER_GOURAUD + degree);
         glint_curve_of(class, degree, &choice->curve);
+        if (choice->curve.error_q16 > GLINT_CURVE_MOST_Q16) {
+            continue;
+        }
         const uint32_t error = HALF_CODE + bound->fixed + affine +
                                (bound->left > bound->gloss ? bound->left : bound->gloss) +
                                (multiply_high_u32(bound->diffuse << 8, (uint32_t)choice->curve.error_q16 << 8) + 1);

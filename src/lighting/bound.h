@@ -28,6 +28,9 @@ typedef struct glint_curve {
     uint16_t error_q16;
 } glint_curve;
 
+/* A curve that errs by more, 1/25, is not used, however dark the light: steps of a ramp have room for so much. */
+#define GLINT_CURVE_MOST_Q16 2600
+
 /* D of a right angle between normals, and of 117 degrees: up to it |N| is above 0.18, so that rounding of the corners'
  * normals counts for at most 5.5 times as much. Beyond, no error is promised. */
 #define GLINT_CHORD_BENT_Q16 (2u * 65536)
@@ -58,8 +61,8 @@ static inline uint32_t glint_bound_rounding(uint32_t bright, uint32_t terms)
     return (bright >> 13) + (3 * terms + 1) / 2 + 2;
 }
 
-/* The same of a specular term at the exact tier: its slope, at most 0.607 sqrt(exponent), times the angle between two
- * directions that rounding moves by at most 2.5e-4. */
+/* The same of a specular term at the exact tier: its slope, at most 0.607 sqrt(exponent + 1.72), times the angle
+ * between two directions that rounding moves by at most 2.5e-4. */
 uint32_t glint_bound_gloss(uint32_t specular, uint16_t exponent_q4);
 
 /* What a highlight changes when the normal turns by a radian: r turns twice as far. */
@@ -96,7 +99,8 @@ static inline uint32_t glint_bound_scale(uint32_t rate, uint32_t factor_q15)
 }
 
 /* Pixels that are clear of a highlight: what the angle of a cosine 1 - gap is beyond `highlight`, over `turn` (Q20) a
- * pixel; the latter as its inverse, pixels a unit of Q15 in Q20, at least 1. */
+ * pixel; the latter as its inverse, pixels a unit of Q15 in Q20; 0 for more than 32
+ * radians. */
 uint32_t glint_bound_per_turn_q20(uint32_t turn_q20);
 int32_t glint_bound_clear(uint32_t gap_q31, uint32_t highlight_q15, uint32_t per_turn_q20);
 

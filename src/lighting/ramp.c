@@ -80,12 +80,14 @@ void glint_ramp_set_up(glint_ramp *ramp, const glint_scene *scene, const glint_m
         ramp->base_q27[k] = (((uint32_t)ambient[k] * (uint32_t)ambient_light[k]) >> 1) + ramp->step_q27[k] / 2;
         if (k == strongest) {
             ramp->full_q15 = full_q15;
-            /* 255 256 / 2^15 codes / 960 / 2; and half units of Q14 of specular, 2 at intensity 1 */
-            ramp->error_q8 =
-                (uint16_t)(((full_q15 * 69) >> 16) + 1 + (ramp->specular ? (twice * (total_q14[k] + 1)) >> 13 : 0));
         }
+        /* 255 256 / 2^15 codes / 960 / 2; and half units of Q14 of specular, 2 at intensity 1 */
+        const uint32_t error =
+            ((full_q15 * 69) >> 16) + 1 + (ramp->specular ? ((twice * (total_q14[k] + 1)) >> 13) + 1 : 0);
+        ramp->error_q8 = error > ramp->error_q8 ? (uint16_t)error : ramp->error_q8;
     }
-    ramp->usable = ramp->full_q15 > 0;
+    /* the shares of very dim lights, each rounded, could add up to more than the ramp has room for */
+    ramp->usable = ramp->full_q15 > 0 && ramp->full_q15 >= 64 * (uint32_t)scene->light_count;
 }
 
 uint16_t glint_ramp_share_q15(const glint_ramp *ramp, uint32_t product_q15)

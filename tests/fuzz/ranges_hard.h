@@ -14,7 +14,7 @@
 
 #define MOST_TRIANGLES 65534 /* of a scene whose triangles are sorted into bands */
 #define HARD_OBJECTS 2
-#define HARD_KINDS 8
+#define HARD_KINDS 9
 
 static const glint_colour brightest = {INT16_MAX, INT16_MAX, INT16_MAX}, all_of_it = {16384, 16384, 16384};
 
@@ -215,6 +215,7 @@ static inline void hard_colour(bytes *b, glint_colour *colour, int32_t most_q14)
 static inline void hard_smooth(bytes *b, extreme_scene *e)
 {
     static const uint16_t sizes[] = {3, 8, 12, 16, 24, 24, 33, 64}, exponents[] = {0, 1, 16, 80, 160, 640, 4000, 16384};
+    static const int16_t intensities[] = {INT16_MAX, 16384, 1200, 90}; /* a dim light lets a tier err by more of it */
     const uint16_t size = ONE_OF(b, sizes);
     hard_begin(e, size, size, take_rarely(b, 4) ? 30947 : 8192);
     e->way = (uint8_t)take_between(b, 0, EXTREME_WAYS - 1);
@@ -229,7 +230,7 @@ static inline void hard_smooth(bytes *b, extreme_scene *e)
         glint_light *light = &e->lights[i];
         const bool from_eye = take_rarely(b, 3); /* where the highlight is seen */
         light->kind = GLINT_DIRECTIONAL;
-        hard_colour(b, &light->colour, take_rarely(b, 3) ? INT16_MAX : 16384);
+        hard_colour(b, &light->colour, ONE_OF(b, intensities));
         for (int k = 0; k < 3; k++) {
             light->direction[k] = (int16_t)(take_between(b, -99, 99) + (k < 2 ? 0 : from_eye ? 999 : 1));
         }
@@ -251,10 +252,30 @@ static inline void hard_smooth(bytes *b, extreme_scene *e)
     }
 }
 
+/* A corner that faces a light so dim that the cheapest tier's cosine may be off by a sixth: 1/|N| is that of a normal
+ * between corners that are turned away as far as a tier serves, which takes the cosine beyond 1. */
+static inline void hard_dim(extreme_scene *e, int which)
+{
+    const double turn = 0.7 + 0.07 * (which % 8);
+    hard_begin(e, 16, 16, 8192);
+    hard_fill(e, 64);
+    hard_vertex(e, 0, 0, 0, 64);
+    e->way = EXTREME_WAYS - 1;
+    for (int v = 0; v < EXTREME_VERTICES; v++) {
+        if (v % 3 != 0) {
+            e->normals[v][v % 3 - 1] = (int16_t)lrint(16384 * sin(turn));
+            e->normals[v][2] = (int16_t)-lrint(16384 * cos(turn));
+        }
+    }
+    const int16_t light = (int16_t)(300 + 200 * (which / 8));
+    e->lights[0].colour = (glint_colour){light, light, light};
+    e->material.specular = e->material.ambient = (glint_colour){0, 0, 0};
+}
+
 /* Makes scene number `which` of a kind; false after the kind's last. */
 static inline bool hard_scene(bytes *b, extreme_scene *e, unsigned kind, int which)
 {
-    static const int scenes[HARD_KINDS] = {1, 2, 26, 64, 32, INT32_MAX, INT32_MAX, INT32_MAX};
+    static const int scenes[HARD_KINDS] = {1, 2, 26, 64, 32, INT32_MAX, INT32_MAX, INT32_MAX, 64};
     if (which >= scenes[kind]) {
         return false;
     }
@@ -280,8 +301,11 @@ static inline bool hard_scene(bytes *b, extreme_scene *e, unsigned kind, int whi
     case 6:
         hard_steep(b, e);
         break;
-    default:
+    case 7:
         hard_smooth(b, e);
+        break;
+    default:
+        hard_dim(e, which);
         break;
     }
     return true;

@@ -120,6 +120,13 @@ static inline void screen_wait(void *context)
     end_transfer(s);
 }
 
+/* All counts; what pads the structure's end is no count. */
+static inline bool same_report(const glint_report *a, const glint_report *b)
+{
+    const uint8_t *first = (const uint8_t *)a, *second = (const uint8_t *)b;
+    return memcmp(first, second, offsetof(glint_report, promise_q8)) == 0 && a->promise_q8 == b->promise_q8;
+}
+
 static inline void check_tiers(const glint_report *r)
 {
     uint32_t pixels = 0, parts = 0;
@@ -236,7 +243,7 @@ static inline uint8_t *draw_and_check(scene_case *c, const drawing *how, int bac
         FUZZ_CHECK(expected != VALID, "a valid call failed: %d, %s", result, glint_error_text(result));
         FUZZ_CHECK(result < 0 && strcmp(glint_error_text(result), "unknown error") != 0, "error %d", result);
         FUZZ_CHECK(s.bands == 0 && s.next_row == 0, "flushed in spite of error %d", result);
-        FUZZ_CHECK(memcmp(report, &untouched, sizeof untouched) == 0, "report written in spite of error %d", result);
+        FUZZ_CHECK(same_report(report, &untouched), "report written in spite of error %d", result);
         for (size_t i = 0; i < given; i++) {
             FUZZ_CHECK(memory[i] == CANARY_BYTE, "memory written in spite of error %d", result);
         }
@@ -281,8 +288,8 @@ static inline void expect_alike(scene_case *c, const drawing *how, int backend, 
     other.bands = report->bands;
     other.memory_used_bytes = report->memory_used_bytes;
     other.vertices_transformed = report->vertices_transformed;
-    FUZZ_CHECK(memcmp(&other, report, sizeof other) == 0, "%s: other counts with band %u, memory %u",
-               backends[backend].name, how->band_px, how->memory_kind);
+    FUZZ_CHECK(same_report(&other, report), "%s: other counts with band %u, memory %u", backends[backend].name,
+               how->band_px, how->memory_kind);
     free(again);
 }
 

@@ -109,7 +109,7 @@ static void test_what_the_bytes_make(void **state)
         refused, tiers[0], tiers[1], tiers[2], tiers[3], tiers[4], tiers[5]);
     assert_true(refused > TRIALS / 100);
     for (int tier = 0; tier < GLINT_TIERS; tier++) {
-        assert_true(tiers[tier] > TRIALS / 500);
+        assert_true(tiers[tier] > TRIALS / 1000);
     }
     assert_true(valid > TRIALS / 2 && invalid > TRIALS / 50);
     assert_true(drawn > TRIALS / 5 && clipped > TRIALS / 10 && specular > TRIALS / 50);

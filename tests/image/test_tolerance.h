@@ -143,10 +143,11 @@ typedef struct ratios {
 
 typedef struct figures {
     double greatest[GLINT_TIERS], ratio[GLINT_TIERS]; /* codes; observed / promised */
-    uint32_t pixels[GLINT_TIERS];                     /* plain ones */
-    uint32_t above; /* pixels of the exact tier whose promise is above the tolerance */
-    uint32_t moved; /* pixels that keep their promise within MOVED_PX only */
-    uint32_t unpromised;
+    double greatest_unpromised;
+    uint32_t pixels[GLINT_TIERS]; /* plain ones under a promise */
+    uint32_t above;               /* of the exact tier whose promise is above the tolerance */
+    uint32_t moved;               /* that keep their promise within MOVED_PX only */
+    uint32_t unpromised;          /* without a promise, beside the others */
     uint32_t breaches;
     ratios ratios;
 } figures;
@@ -176,6 +177,7 @@ static void add_figures(figures *to, const figures *from)
     to->above += from->above;
     to->moved += from->moved;
     to->unpromised += from->unpromised;
+    to->greatest_unpromised = fmax(to->greatest_unpromised, from->greatest_unpromised);
     to->breaches += from->breaches;
     to->ratios.pixels += from->ratios.pixels;
     for (int i = 0; i <= RATIO_STEPS; i++) {
@@ -331,6 +333,7 @@ static void check_pixels(const char *scene, references *r, const frame *f, int b
         const bool exact = pixel->tier == GLINT_TIER_EXACT;
         if (pixel->promise_q8 == UINT16_MAX) {
             sum->unpromised++;
+            sum->greatest_unpromised = fmax(sum->greatest_unpromised, error);
             if (!exact || !pixel->bent) {
                 note_breach(&breaches[BREACH_NO_PROMISE], i, error);
             }
@@ -446,8 +449,8 @@ static void print_totals(void)
                               total[i].ratio[tier]);
             }
         }
-        print_message(" median %.3f above %u moved %u unpromised %u\n", median(&total[i].ratios), total[i].above,
-                      total[i].moved, total[i].unpromised);
+        print_message(" median %.3f above %u moved %u unpromised %u %.2f\n", median(&total[i].ratios), total[i].above,
+                      total[i].moved, total[i].unpromised, total[i].greatest_unpromised);
     }
 }
 

@@ -11,6 +11,16 @@
 
 const char *const cost_backend_names[COST_BACKENDS] = {"fixed", "float"};
 
+/* Compiled with -O2, both backends do not fit the AVR's 128 KB; the fixed one stands in for the other, which program.c
+ * leaves out there. */
+#ifdef __AVR__
+#define FLOAT_MEMORY_BYTES glint_fixed_memory_bytes
+#define FLOAT_RENDER glint_fixed_render
+#else
+#define FLOAT_MEMORY_BYTES glint_float_memory_bytes
+#define FLOAT_RENDER glint_float_render
+#endif
+
 glint_scene cost_scene(const cost_case *c)
 {
     glint_scene scene = *c->data;
@@ -35,7 +45,7 @@ size_t cost_frame_bytes(const cost_case *c, int backend, uint8_t format)
     const size_t ramps =
         c->quality.tolerance ? (size_t)scene.object_count * GLINT_RAMP_WORDS * sizeof(uint32_t) : (size_t)0;
     const size_t bytes =
-        backend == COST_FIXED ? glint_fixed_memory_bytes(&scene, &display) : glint_float_memory_bytes(&scene, &display);
+        backend == COST_FIXED ? glint_fixed_memory_bytes(&scene, &display) : FLOAT_MEMORY_BYTES(&scene, &display);
     return bytes == 0 ? 0 : bytes + ramps;
 }
 
@@ -47,7 +57,7 @@ int cost_draw(const cost_case *c, int backend, uint8_t format, glint_flush flush
     display.flush = flush;
     display.context = context;
     return backend == COST_FIXED ? glint_fixed_render(&scene, &display, &c->quality, memory, memory_bytes, report)
-                                 : glint_float_render(&scene, &display, &c->quality, memory, memory_bytes, report);
+                                 : FLOAT_RENDER(&scene, &display, &c->quality, memory, memory_bytes, report);
 }
 
 int cost_hash_band(void *context, const glint_band *band)

@@ -89,11 +89,11 @@ static int take_rgb888(void *context, const glint_band *band)
 }
 
 static void draw(const cost_case *c, int backend, uint8_t format, glint_flush flush, void *context,
-                 glint_report *report)
+                 glint_report *counts)
 {
     const size_t bytes = cost_frame_bytes(c, backend, format);
     void *memory = allocate(bytes);
-    const int error = cost_draw(c, backend, format, flush, context, memory, bytes, report);
+    const int error = cost_draw(c, backend, format, flush, context, memory, bytes, counts);
     if (error) {
         complain("%s %s %s %s: the host cannot draw it: error %d", c->scene, cost_backend_names[backend], c->shading,
                  c->tolerance, error);

@@ -9,7 +9,11 @@
 #define PROGRAM_MEMORY_BYTES 1048576
 #endif
 #ifndef PROGRAM_BACKENDS
+#ifdef __AVR__
+#define PROGRAM_BACKENDS (1 << COST_FIXED) /* both do not fit its 128 KB: see frames.c */
+#else
 #define PROGRAM_BACKENDS (1 << COST_FIXED | 1 << COST_FLOAT)
+#endif
 #endif
 
 /* The AVR's uint32_t needs no alignment; the library asks for 4 bytes everywhere. */

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Fields over a triangle in fixed point.
+ */
+#include <stddef.h>
+#include <stdint.h>
+
+#include "raster/field_fixed.h"
+
+#define M_ONE 536870912.0L /* Q29 */
+#define DOT_ONE 268435456.0L
+#define DOT_HALF 4096.0L /* half of what a cosine's cut drops, which its field has */
+#define LENGTH_ONE 16384.0L
+#define UNIT_ONE 32768.0L
+#define GAP_ONE 268435456.0L
+
+/* Budgets, `away` pixels from the anchor (|dx| + |dy|), over a way of 1 and |M'| times that. */
+#define COSINE_ERROR(away, way) ((16 * (away) + 32) / DOT_ONE)
+#define LENGTH_ERROR(away, way) (ldexpl(1, -15) * (1 + (way) * (way)) + (away) * (away)*ldexpl(1, -30))
+#define NORMAL_ERROR(away) (6e-5L + (away)*1e-7L)
+#define RAY_ERROR 6e-5L
+#define GAP_ERROR 2.5e-4L /* as lighting/bound.h states */
+#define GAP_ROW_ERROR (80 / GAP_ONE)
+
+/* Rays of any length and fraction, those of length 1 to 2 with 20 to 28 bits among them. */
+static void random_ray(pixel_rays *rays, long double exact[3], int16_t x, int16_t y);
+
+#include "tests/unit/test_fields.h"
+
+static void random_ray(pixel_rays *rays, long double exact[3], int16_t x, int16_t y)
+{
+    const int bits = random_between(20, 28);
+    rays->fraction = (int16_t)(random_u32() & 1 ? bits : random_between(20, 40));
+    for (int k = 0; k < 3; k++) {
+        rays->v[0][k] = random_between(-(1 << bits), 1 << bits);
+        rays->v[1][k] = random_between(-(1 << bits) / 512, (1 << bits) / 512);
+        rays->v[2][k] = random_between(-(1 << bits) / 512, (1 << bits) / 512);
+        exact[k] = (long double)rays->v[0][k] + (long double)x * rays->v[1][k] + (long double)y * rays->v[2][k];
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        numeric_test(fields_keep_their_bound),
+        numeric_test(fields_keep_it_on_large_displays),
+        numeric_test(rays_are_unit),
+        numeric_test(gaps_are_of_the_angle),
+        numeric_test(rows_of_gaps_are_quadratic),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
