@@ -243,7 +243,7 @@ static void a_tier_keeps_its_promise(void **state)
         random_triangle(&t);
         glint_bound_choose(&t.bound, t.inverse_depth, 0, tier, tier, &choice);
         if (choice.tier != GLINT_TIER_EXACT && choice.promise < UINT16_MAX) {
-            assert_int_equal(choice.tier, tier);
+            assert_true(choice.tier >= tier); /* above it where its curve errs by more than any may */
             check_choice(&t, &choice, &worst);
         }
     }
@@ -275,11 +275,13 @@ static void the_tier_is_the_cheapest_that_fits(void **state)
             expected = forced.tier == tier && forced.promise <= most ? tier : expected;
         }
         expected = t.bound.flat <= most ? GLINT_TIER_FLAT : expected;
-        expected = t.bound.diffuse == 0 ? GLINT_TIER_UNLIT : expected;
+        if (t.bound.diffuse == 0) { /* one colour, the ambient term, whose rounding is all that counts but highlights */
+            const uint32_t unlit = HALF_CODE + glint_bound_rounding(0, 1) + t.bound.left;
+            expected = unlit <= most ? GLINT_TIER_UNLIT : GLINT_TIER_EXACT;
+        }
         glint_bound_choose(&t.bound, t.inverse_depth, tolerance, GLINT_TIER_UNLIT, GLINT_TIER_EXACT, &choice);
         assert_int_equal(choice.tier, expected);
-        assert_true(choice.tier == GLINT_TIER_UNLIT || choice.tier == GLINT_TIER_EXACT || choice.promise <= most);
-        assert_true(choice.tier != GLINT_TIER_UNLIT || choice.promise == HALF_CODE + t.bound.fixed + t.bound.left);
+        assert_true(choice.tier == GLINT_TIER_EXACT || choice.promise <= most);
         assert_true(choice.tier != GLINT_TIER_FLAT || choice.promise == t.bound.flat);
         assert_true(choice.tier != GLINT_TIER_EXACT || choice.promise == t.bound.exact);
         chosen[choice.tier]++;

@@ -53,7 +53,8 @@ static inline void unit_of(const long double v[3], real out[3])
  * angle, with weights from 1/2 to 1. */
 static inline bool random_field(field_triangle *t, int size_px, long double bend)
 {
-    const long double size = exp2l(random_unit() * (log2l(size_px) + 1)) * GLINT_FINE;
+    const long double most = fminl(2 * size_px, 2 * GLINT_GUARD_PX - 1); /* beyond the guard band it is clipped */
+    const long double size = exp2l(random_unit() * log2l(most)) * GLINT_FINE;
     glint_point snapped[3];
     long double base[3];
     for (int i = 0; i < 3; i++) {

@@ -15,26 +15,29 @@
 #define GAP_ONE 268435456.0L
 
 /* Budgets, `away` pixels from the anchor (|dx| + |dy|), over a way of 1 and |M'| times that. */
-#define COSINE_ERROR(away, way) ((16 * (away) + 32) / DOT_ONE)
+#define COSINE_ERROR(away, way) ((8 * (away) + 8) / DOT_ONE)
 #define LENGTH_ERROR(away, way) (ldexpl(1, -15) * (1 + (way) * (way)) + (away) * (away)*ldexpl(1, -30))
 #define NORMAL_ERROR(away) (6e-5L + (away)*1e-7L)
-#define RAY_ERROR 6e-5L
+#define RAY_ERROR 7e-5L
 #define GAP_ERROR 2.5e-4L /* as lighting/bound.h states */
 #define GAP_ROW_ERROR (80 / GAP_ONE)
 
-/* Rays of any length and fraction, those of length 1 to 2 with 20 to 28 bits among them. */
+/* A ray as a camera's: 1 forward, and anything up to that to either side. */
 static void random_ray(pixel_rays *rays, long double exact[3], int16_t x, int16_t y);
 
 #include "tests/unit/test_fields.h"
 
 static void random_ray(pixel_rays *rays, long double exact[3], int16_t x, int16_t y)
 {
-    const int bits = random_between(20, 28);
-    rays->fraction = (int16_t)(random_u32() & 1 ? bits : random_between(20, 40));
+    /* a forward component of 1: 20 to 29 bits, and what lies beside it, below 2^30 */
+    const int bits = random_between(20, 29), forward = random_between(0, 2);
+    const int32_t beside = (int32_t)exp2l(bits - 9 + 9 * random_unit());
+    rays->fraction = (int16_t)bits;
     for (int k = 0; k < 3; k++) {
-        rays->v[0][k] = random_between(-(1 << bits), 1 << bits);
-        rays->v[1][k] = random_between(-(1 << bits) / 512, (1 << bits) / 512);
-        rays->v[2][k] = random_between(-(1 << bits) / 512, (1 << bits) / 512);
+        const bool along = k == forward;
+        rays->v[0][k] = along ? (int32_t)1 << bits : random_between(-beside, beside) / 2;
+        rays->v[1][k] = along ? 0 : random_between(-beside, beside) / 1024;
+        rays->v[2][k] = along ? 0 : random_between(-beside, beside) / 1024;
         exact[k] = (long double)rays->v[0][k] + (long double)x * rays->v[1][k] + (long double)y * rays->v[2][k];
     }
 }

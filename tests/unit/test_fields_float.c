@@ -15,9 +15,9 @@
 #define GAP_ONE 1.0L
 
 /* Budgets, `away` pixels from the anchor (|dx| + |dy|), over a way of 1 and |M'| times that. */
-#define COSINE_ERROR(away, way) (ldexpl(1, -22) * (way))
-#define LENGTH_ERROR(away, way) (ldexpl(1, -22) * (way) * (way))
-#define NORMAL_ERROR(away) (6e-5L + (away)*1e-7L)
+#define COSINE_ERROR(away, way) (ldexpl(1, -21) * (way))
+#define LENGTH_ERROR(away, way) (ldexpl(1, -21) * (way) * (way))
+#define NORMAL_ERROR(away) (4e-6L + (away)*2e-8L)
 #define RAY_ERROR 2e-6L
 #define GAP_ERROR 6e-7L
 #define GAP_ROW_ERROR 2e-6L

@@ -12,6 +12,7 @@
 #define SHARE_ULP 0.51L /* of Q15: rounding to nearest, and the reciprocal */
 #define ENTRY_Q15 0.6L  /* rounding of an entry to Q15, and of base and step at the last of them */
 #define UNITS_OF_Q15 (255 * 256 / 32768.0L)
+#define LEAST_FULL_Q15 65 /* a light: dimmer ones would be rounded too coarsely */
 #define MOST_LIGHTS 6
 
 typedef struct ramp_case {
@@ -205,12 +206,12 @@ static void usable_for_one_chromaticity(void **state)
         if (!one || most_total > 65535 || full_q15 >= 65537) {
             assert_false(c.ramp.usable);
             counts[0]++;
-        } else if (full_q15 >= 1 && full_q15 <= 65536) {
+        } else if (full_q15 >= LEAST_FULL_Q15 * c.scene.light_count && full_q15 <= 65536) {
             long double diffuse = 0;
             for (int k = 0; k < 3; k++) {
                 diffuse = worse(diffuse, total[k] * c.diffuse[k] * 32768);
             }
-            if (diffuse >= 1) {
+            if (diffuse >= LEAST_FULL_Q15 * c.scene.light_count) {
                 assert_true(c.ramp.usable);
                 counts[1]++;
             }

@@ -11,7 +11,7 @@
 
 const char *const cost_backend_names[COST_BACKENDS] = {"fixed", "float"};
 
-/* Compiled with -O2, both backends do not fit the AVR's 128 KB; the fixed one stands in for the other, which program.c
+/* Both backends do not fit the AVR's 128 KB; the fixed one stands in for the other, which program.c
  * leaves out there. */
 #ifdef __AVR__
 #define FLOAT_MEMORY_BYTES glint_fixed_memory_bytes
