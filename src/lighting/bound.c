@@ -117,8 +117,11 @@ uint32_t glint_bound_gloss_error(uint32_t specular, uint16_t exponent_q4, uint8_
 uint32_t glint_bound_shows_q15(uint32_t gap_q28, uint32_t error, uint32_t gloss)
 {
     /* error / gloss in Q28: 2^62 / (gloss 2^up) */
-    const int up = clz32(gloss | 1);
-    const uint32_t r = glint_reciprocal_q31((gloss | 1) << up);
+    const int up = clz32(gloss);
+    if (up > 26) {
+        return GLINT_FAR_Q15;
+    }
+    const uint32_t r = glint_reciprocal_q31(gloss << up);
     const uint32_t off_q26 = error > 1023 ? (uint32_t)1 << 26 : multiply_high_u32(error << 22, r) >> (26 - up);
     const uint32_t gap = gap_q28 + (off_q26 < (uint32_t)1 << 26 ? off_q26 << 2 : (uint32_t)1 << 28) + 64;
     if (gap >= (uint32_t)1 << 28) {
@@ -247,7 +250,7 @@ void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3]
         if (choice->curve.error_q16 > GLINT_CURVE_MOST_Q16) {
             continue;
         }
-        const uint32_t error = HALF_CODE + bound->fixed + affine +
+        const uint32_t error = HALF_CODE + bound->fixed + bound->reach + affine +
                                (bound->left > bound->gloss ? bound->left : bound->gloss) +
                                (multiply_high_u32(bound->diffuse << 8, (uint32_t)choice->curve.error_q16 << 8) + 1);
         if (tier >= least &&

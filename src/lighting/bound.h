@@ -61,6 +61,20 @@ static inline uint32_t glint_bound_rounding(uint32_t bright, uint32_t terms)
     return (bright >> 13) + (3 * terms + 1) / 2 + 2;
 }
 
+/*
+ * Fields err by their coefficients' rounding the more the farther a pixel is from their anchor, `reach` = |dx| + |dy|
+ * pixels: a linear one by at most 8 units of Q28 a pixel (2^-25), the square by half a unit of Q30 of each square
+ * coefficient (2^-31 of reach^2).
+ */
+static inline uint32_t glint_bound_reach(uint32_t bright, uint32_t reach)
+{
+    const uint32_t units = reach * reach + 64 * reach; /* of 2^-31; reach < 2^13 */
+    return (uint32_t)(((uint64_t)bright * units) >> 31) + 1;
+}
+
+/* Where a field changes by more than this from its anchor to a pixel, rounding of 2^-27 of its square would count. */
+#define GLINT_REACH_MOST 32
+
 /* The same of a specular term at the exact tier: its slope, at most 0.607 sqrt(exponent + 1.72), times the angle
  * between two directions that rounding moves by at most 2.5e-4. */
 uint32_t glint_bound_gloss(uint32_t specular, uint16_t exponent_q4);
@@ -122,6 +136,7 @@ typedef struct glint_bound {
     uint32_t diffuse;     /* 1/256 code: what the lights that reach it can add, the channel with the most */
     uint32_t turned;      /* 1/256 code: what a turn of the normal by a radian changes at most, highlights included */
     uint32_t left, gloss; /* 1/256 code: highlights where they are left out, and errors of them where they are not */
+    uint32_t reach;       /* 1/256 code: rounding of fields by the distance from their anchor */
     uint32_t fixed;       /* 1/256 code: rounding and table errors of the tiers below exact */
     uint32_t exact;       /* 1/256 code: error of the exact tier, rounding of the result included */
     uint32_t flat;        /* the same of one colour for all of it */

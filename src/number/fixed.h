@@ -72,7 +72,8 @@ uint16_t glint_power_q15(uint32_t gap_q31, uint16_t exponent_q4);
 /* Sine and cosine of an angle in 1/65536 turn, Q30. Error at most 2 ulp of Q30. */
 void glint_sine_cosine_q30(uint16_t angle_turn16, int32_t *sine_q30, int32_t *cosine_q30);
 
-/* sqrt(x), too small by at most 2^-14 of it and 1. One reciprocal root, for where a bound is enough. */
+/* sqrt(x), too small by at most 2^-13.4 of it and 1, or too large by at most 2^-15 of it. One reciprocal root, for
+ * where a bound is enough. */
 uint32_t glint_square_root_u32(uint32_t x);
 
 /* floor(sqrt(x)), exact. */

@@ -224,7 +224,7 @@ static inline int32_t shift_round32(int32_t value, int down)
     if (down <= 0) {
         return (int32_t)((uint32_t)value << -down);
     }
-    return down > 31 ? 0 : ((value >> (down - 1)) + 1) >> 1;
+    return down > 31 ? 0 : (value >> down) + ((value >> (down - 1)) & 1);
 }
 
 static inline int32_t saturate_s32(int64_t value)

@@ -81,8 +81,8 @@ static inline uint32_t field_rate_q20(const attribute_plane normal[3], uint32_t 
         x += (uint32_t)(fine_x * fine_x);
         y += (uint32_t)(fine_y * fine_y);
     }
-    /* Q(29 - down), and 3 units for roundings */
-    const uint32_t root_x = glint_square_root_u32(x) + 3, root_y = glint_square_root_u32(y) + 3;
+    /* Q(29 - down); 6 units: 2^-14 of 15 bits and 1 of the root, sqrt(3) of the cuts */
+    const uint32_t root_x = glint_square_root_u32(x) + 6, root_y = glint_square_root_u32(y) + 6;
     const uint32_t most = root_x > root_y ? root_x : root_y;
     const int up = down - 9;
     *along = up >= 0 ? root_x << up : (root_x >> -up) + 1;
@@ -146,24 +146,26 @@ typedef struct field_row {
     uint32_t value, step, bend;
 } field_row;
 
+/* a . b / 2^32 */
 static inline int32_t field_product(const int32_t a[3], const int32_t b[3])
 {
-    return multiply_q16(a[0], b[0]) + multiply_q16(a[1], b[1]) + multiply_q16(a[2], b[2]);
+    return multiply_high_s32(a[0], b[0]) + multiply_high_s32(a[1], b[1]) + multiply_high_s32(a[2], b[2]);
 }
 
 /*
  * y = 1 - |M|^2 for a curve of degree 2; the curve itself, c0 + c1 y, for one of degree 1. False where the planes are
- * too steep for it.
+ * too steep for it within `reach` pixels of the anchor: errors are 2^-27 of the square of what M changes by, and 2^-31
+ * of the square of the distance.
  */
 static inline bool field_square_set_up(field_square *field, const attribute_plane normal[3], const glint_curve *curve,
-                                       uint8_t tier)
+                                       uint8_t tier, uint32_t reach)
 {
-    int32_t value[3], value_q15[3], x[3], y[3], x_high[3], y_high[3];
-    uint32_t any = 1;
+    int32_t value[3], x[3], y[3];
+    uint32_t any = 1, farthest = 0;
     for (int k = 0; k < 3; k++) {
         value[k] = (int32_t)normal[k].value;
-        value_q15[k] = (value[k] + (1 << 13)) >> 14;
         any |= magnitude32((int32_t)normal[k].step_x) | magnitude32((int32_t)normal[k].step_y);
+        farthest |= magnitude32(value[k]);
     }
     const int up = clz32(any) - 2;
     if (tier == GLINT_TIER_GOURAUD) {
@@ -171,40 +173,43 @@ static inline bool field_square_set_up(field_square *field, const attribute_plan
         field->x = field->y = field->xx = field->xy = field->yy = 0;
         return true;
     }
-    if (up < 0 || magnitude32(value_q15[0]) > 32768 || magnitude32(value_q15[1]) > 32768 ||
-        magnitude32(value_q15[2]) > 32768) {
+    if (up < 0 || farthest >= (uint32_t)1 << 30 || (any >> 13) * reach > (uint32_t)GLINT_REACH_MOST << 16) {
         return false; /* steep, or so small that M at the anchor lies far outside */
     }
     for (int k = 0; k < 3; k++) {
         x[k] = (int32_t)(normal[k].step_x << up); /* Q(29 + up), 30 bits */
         y[k] = (int32_t)(normal[k].step_y << up);
-        x_high[k] = x[k] >> 15; /* Q(14 + up), 16 bits */
-        y_high[k] = y[k] >> 15;
     }
-    const int32_t square_q28 = field_product(value, value_q15);
-    /* half the slope in Q(28 + up): |M| and |M'| 2^up at most 1 and sqrt(3) 2^30: within 2^29.8 */
-    int32_t slope_x = field_product(x, value_q15), slope_y = field_product(y, value_q15);
-    /* Q(27 + 2 up): at most 3 2^29 */
-    int32_t xx = field_product(x, x_high), xy = field_product(x, y_high), yy = field_product(y, y_high);
+    /* each component below 2: 12 2^26 at most */
+    const int32_t square_q26 = field_product(value, value);
+    if (square_q26 >= (int32_t)1 << 29) {
+        return false;
+    }
+    /* half the slope in Q(26 + up): 2^1 sqrt(3) 2^28 */
+    int32_t slope_x = field_product(value, x), slope_y = field_product(value, y);
+    /* Q(26 + 2 up): at most 3 2^28 */
+    int32_t xx = field_product(x, x), xy = field_product(x, y), yy = field_product(y, y);
+    uint32_t square_q30 = (uint32_t)square_q26 << 4;
     int lost = 0;
     if (tier == GLINT_TIER_Q1) {
-        const int32_t c1 = curve->c_q15[1];
-        slope_x = multiply_q16(slope_x, c1);
-        slope_y = multiply_q16(slope_y, c1);
-        xx = multiply_q16(xx, c1);
-        xy = multiply_q16(xy, c1);
-        yy = multiply_q16(yy, c1);
-        lost = 1;
-        field->value = ((uint32_t)(curve->c_q15[0] + (uint32_t)c1) << 15) -
-                       ((uint32_t)multiply_q16(square_q28, c1) << 3) + HALF_LENGTH;
+        /* times c1, with 2 bits more of it: a coefficient has half the bits then */
+        const int32_t c1_q30 = (int32_t)curve->c_q15[1] * 32768;
+        slope_x = multiply_high_s32(slope_x, c1_q30);
+        slope_y = multiply_high_s32(slope_y, c1_q30);
+        xx = multiply_high_s32(xx, c1_q30);
+        xy = multiply_high_s32(xy, c1_q30);
+        yy = multiply_high_s32(yy, c1_q30);
+        lost = 2;
+        square_q30 = (uint32_t)multiply_high_s32(square_q26 * 4, c1_q30) << 4;
+        field->value = ((uint32_t)(curve->c_q15[0] + (uint32_t)curve->c_q15[1]) << 15) - square_q30 + HALF_LENGTH;
     } else {
-        field->value = ((uint32_t)1 << 30) - ((uint32_t)square_q28 << 2);
+        field->value = ((uint32_t)1 << 30) - square_q30;
     }
-    field->x = 0u - (uint32_t)shift_round32(slope_x, up - 3 - lost);
-    field->y = 0u - (uint32_t)shift_round32(slope_y, up - 3 - lost);
-    field->xx = 0u - (uint32_t)shift_round32(xx, 2 * up - 3 - lost);
-    field->xy = 0u - (uint32_t)shift_round32(xy, 2 * up - 4 - lost);
-    field->yy = 0u - (uint32_t)shift_round32(yy, 2 * up - 3 - lost);
+    field->x = 0u - (uint32_t)shift_round32(slope_x, up - 5 - lost);
+    field->y = 0u - (uint32_t)shift_round32(slope_y, up - 5 - lost);
+    field->xx = 0u - (uint32_t)shift_round32(xx, 2 * up - 4 - lost);
+    field->xy = 0u - (uint32_t)shift_round32(xy, 2 * up - 5 - lost);
+    field->yy = 0u - (uint32_t)shift_round32(yy, 2 * up - 4 - lost);
     return true;
 }
 

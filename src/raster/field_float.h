@@ -35,8 +35,8 @@ static inline uint32_t field_rate_q20(const attribute_plane normal[3], uint32_t 
     const float x[3] = {normal[0].step_x, normal[1].step_x, normal[2].step_x};
     const float y[3] = {normal[0].step_y, normal[1].step_y, normal[2].step_y};
     const float rate_x = glint_square_root(cosine_of(x, x)), rate_y = glint_square_root(cosine_of(y, y));
-    *along = rate_x < 2000.0f ? (uint32_t)(rate_x * 1048576.0f) + 1 : UINT32_MAX;
-    return rate_y > rate_x ? rate_y < 2000.0f ? (uint32_t)(rate_y * 1048576.0f) + 1 : UINT32_MAX : *along;
+    *along = rate_x < 2000.0f ? (uint32_t)(rate_x * 1048577.0f) + 1 : UINT32_MAX;
+    return rate_y > rate_x ? rate_y < 2000.0f ? (uint32_t)(rate_y * 1048577.0f) + 1 : UINT32_MAX : *along;
 }
 
 static inline real field_weigh(real component, uint16_t weight_q15)
@@ -75,8 +75,9 @@ typedef struct field_row {
 } field_row;
 
 static inline bool field_square_set_up(field_square *field, const attribute_plane normal[3], const glint_curve *curve,
-                                       uint8_t tier)
+                                       uint8_t tier, uint32_t reach)
 {
+    (void)reach;
     const bool first_degree = tier == GLINT_TIER_Q1;
     const float c0 = first_degree ? (float)curve->c_q15[0] * (1.0f / 32768) : 0.0f;
     const float c1 = first_degree ? (float)curve->c_q15[1] * (1.0f / 32768) : 1.0f;

@@ -119,6 +119,7 @@ static void random_triangle(case_triangle *t)
                              .left = (uint32_t)random_between(0, 3) * GLINT_HIGHLIGHT_LEFT,
                              .gloss = (uint32_t)random_between(0, 99),
                              .fixed = (uint32_t)random_between(3, 60),
+                             .reach = (uint32_t)random_between(0, 60),
                              .exact = (uint32_t)random_between(HALF_CODE, 400),
                              .flat = (uint32_t)random_between(HALF_CODE, 70000),
                              .chord_q16 = (uint32_t)ceill(chord * ONE_Q16)};
@@ -198,7 +199,7 @@ static void check_point(const case_triangle *t, const glint_choice *choice, uint
     }
     const long double moved_units = affine ? bound->turned * sqrtl(dot3(moved, moved)) : 0;
     const uint32_t highlights = bound->left > bound->gloss ? bound->left : bound->gloss;
-    const long double promised = choice->promise - HALF_CODE - (long double)bound->fixed - highlights;
+    const long double promised = choice->promise - HALF_CODE - (long double)bound->fixed - bound->reach - highlights;
     worst->below = worse(worst->below, y / CURVE_LOW);
     worst->above = worse(worst->above, y * ONE_Q16 - glint_curve_limit_q16[class]);
     worst->shorter = worse(worst->shorter, 32768 / sqrtl(square) / choice->longest_q15);

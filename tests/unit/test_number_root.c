@@ -14,7 +14,7 @@
 #else
 #define INVERSE_ROOT_LOG2 (-15.01L)
 #endif
-#define ROOT_SHORT_LOG2 (-14.0L) /* the square root is too small by this part of it, */
+#define ROOT_SHORT_LOG2 (-13.4L) /* the square root is too small by this part of it, */
 #define ROOT_SHORT 1.0L          /* and one, */
 #define ROOT_ABOVE_LOG2 (-15.0L) /* or too large by this part of it */
 
