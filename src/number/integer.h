@@ -224,7 +224,11 @@ static inline int32_t shift_round32(int32_t value, int down)
     if (down <= 0) {
         return (int32_t)((uint32_t)value << -down);
     }
-    return down > 31 ? 0 : (value >> down) + ((value >> (down - 1)) & 1);
+    if (down > 31) {
+        return 0;
+    }
+    const int32_t twice = value >> (down - 1);
+    return (twice >> 1) + (twice & 1);
 }
 
 static inline int32_t saturate_s32(int64_t value)

@@ -31,7 +31,7 @@ static int is_white(const char *backend, render_function render)
     static glint_camera camera; /* static: all fields zero, in either language */
     static glint_scene scene;
     static glint_display display;
-    const glint_quality quality = {GLINT_SHADING_EXACT};
+    const glint_quality quality = {GLINT_SHADING_EXACT, 0};
     uint32_t white_bytes = 0;
     int error;
 
