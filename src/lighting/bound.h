@@ -52,13 +52,14 @@ static inline uint32_t glint_bound_codes(uint32_t light_q15)
 #define GLINT_HIGHLIGHT_LEFT (GLINT_CODE_UNITS / 16)
 
 /*
- * Rounding: that of a cosine is at most 2^-13 (1.2e-4): light direction 2.6e-5, corner normals and weights 3.5e-5, the
- * cosine's field and its cut to Q15 2.5e-5, the length's to Q14 3e-5. Each of `terms` products of a light and a
- * reflectance is rounded to half a unit of Q15, 1/256 code, and its addition to half of that; 2 more are for the sum.
+ * Rounding: that of a cosine is at most 5 2^-15 (1.5e-4): light direction 2.6e-5, corner normals and weights 3.5e-5,
+ * the cosine's field and its cut to Q15 2.5e-5, the length's field and its cut to Q14 5.5e-5. Each of `terms` products
+ * of a light and a reflectance is rounded to half a unit of Q15, 1/256 code, and its addition to half of that; 2 more
+ * are for the sum.
  */
 static inline uint32_t glint_bound_rounding(uint32_t bright, uint32_t terms)
 {
-    return (bright >> 13) + (3 * terms + 1) / 2 + 2;
+    return (bright >> 13) + (bright >> 15) + (3 * terms + 1) / 2 + 2;
 }
 
 /*
