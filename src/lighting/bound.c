@@ -107,7 +107,7 @@ uint32_t glint_bound_gloss_error(uint32_t specular, uint16_t exponent_q4, uint8_
         bits >= 16 ? (uint32_t)exponent_q4 << (bits - 16) : (uint32_t)exponent_q4 >> (16 - bits);
     /* below 2 the second derivative has no bound beside a right angle; there a chord errs by less than 1/32 of a cell
      */
-    const uint32_t shallow = exponent_q4 < 32 ? (specular >> (33 - bits)) + 1 : 0;
+    const uint32_t shallow = exponent_q4 < 32 ? (bits > 1 ? specular >> (33 - bits) : 0) + 1 : 0;
     if (product_q16 > 65535) {
         return specular;
     }
