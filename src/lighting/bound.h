@@ -52,14 +52,14 @@ static inline uint32_t glint_bound_codes(uint32_t light_q15)
 #define GLINT_HIGHLIGHT_LEFT (GLINT_CODE_UNITS / 16)
 
 /*
- * Rounding: that of a cosine is at most 5 2^-15 (1.5e-4): light direction 2.6e-5, corner normals and weights 3.5e-5,
- * the cosine's field and its cut to Q15 2.5e-5, the length's field and its cut to Q14 5.5e-5. Each of `terms` products
+ * Rounding: that of a cosine is at most 3 2^-14 (1.8e-4): light direction 2.6e-5, corner normals and weights 3.5e-5,
+ * the cosine's field and its cut to Q15 2.5e-5, the length's field and its cuts 7.5e-5. Each of `terms` products
  * of a light and a reflectance is rounded to half a unit of Q15, 1/256 code, and its addition to half of that; 2 more
  * are for the sum.
  */
 static inline uint32_t glint_bound_rounding(uint32_t bright, uint32_t terms)
 {
-    return (bright >> 13) + (bright >> 15) + (3 * terms + 1) / 2 + 2;
+    return (3 * (bright >> 1) >> 13) + (3 * terms + 1) / 2 + 3;
 }
 
 /*
@@ -73,8 +73,8 @@ static inline uint32_t glint_bound_reach(uint32_t bright, uint32_t reach)
     return (uint32_t)(((uint64_t)bright * units) >> 31) + 1;
 }
 
-/* Where a field changes by more than this from its anchor to a pixel, rounding of 2^-27 of its square would count. */
-#define GLINT_REACH_MOST 32
+/* Where M changes by more than this from the anchor to a pixel, rounding of 2^-22 of its square would count. */
+#define GLINT_REACH_MOST 8
 
 /* The same of a specular term at the exact tier: its slope, at most 0.607 sqrt(exponent + 1.72), times the angle
  * between two directions that rounding moves by at most 2.5e-4. */

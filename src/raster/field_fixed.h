@@ -154,7 +154,7 @@ static inline int32_t field_product(const int32_t a[3], const int32_t b[3])
 
 /*
  * y = 1 - |M|^2 for a curve of degree 2; the curve itself, c0 + c1 y, for one of degree 1. False where the planes are
- * too steep for it within `reach` pixels of the anchor: errors are 2^-27 of the square of what M changes by, and 2^-31
+ * too steep for it within `reach` pixels of the anchor: errors are 2^-22 of the square of what M changes by, and 2^-31
  * of the square of the distance.
  */
 static inline bool field_square_set_up(field_square *field, const attribute_plane normal[3], const glint_curve *curve,

@@ -184,7 +184,11 @@ static inline void world_copy(world *to, const world *from)
     to->scene.objects = to->objects;
     to->scene.lights = to->lights;
     for (int i = 0; i < WORLD_OBJECTS; i++) {
-        to->objects[i].material = &to->materials[from->objects[i].material - from->materials];
+        for (int k = 0; k < WORLD_OBJECTS; k++) {
+            if (from->objects[i].material == &from->materials[k]) {
+                to->objects[i].material = &to->materials[k];
+            }
+        }
     }
 }
 

@@ -172,7 +172,7 @@ static inline void fields_set_up(const field_triangle *t, triangle_fields *f, ui
         glint_curve_of(class, degree, &f->curve[degree]);
         field_curve_from(&f->polynomial[degree], &f->curve[degree]);
         f->usable = field_square_set_up(&f->square[degree], t->m, &f->curve[degree],
-                                        (uint8_t)(GLINT_TIER_GOURAUD + degree), 0) &&
+                                        (uint8_t)(GLINT_TIER_GOURAUD + degree), reach_of(t)) &&
                     f->usable;
     }
 }

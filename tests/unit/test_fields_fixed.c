@@ -16,7 +16,7 @@
 
 /* Budgets, `away` pixels from the anchor (|dx| + |dy|), over a way of 1 and |M'| times that. */
 #define COSINE_ERROR(away, way) ((8 * (away) + 8) / DOT_ONE)
-#define LENGTH_ERROR(away, way) (1.5L * ldexpl(1, -15) + (way) * (way)*ldexpl(1, -27) + (away) * (away)*ldexpl(1, -31))
+#define LENGTH_ERROR(away, way) (7.5e-5L + (way) * (way)*ldexpl(1, -27) + ((away) + 64) * (away)*ldexpl(1, -31))
 #define NORMAL_ERROR(away) (6e-5L + (away)*1e-7L)
 #define RAY_ERROR 7e-5L
 #define GAP_ERROR 2.5e-4L /* as lighting/bound.h states */
