@@ -205,7 +205,7 @@ static void test_a_frame_within_a_flush(void **state)
         glint_display display = separate.display;
         display.flush = nested_flush;
         display.context = &n;
-        const glint_quality quality = {GLINT_SHADING_EXACT};
+        const glint_quality quality = {.shading = GLINT_SHADING_EXACT};
         const size_t bytes = backends[which].memory_bytes(&demo_room, &display);
         void *const memory = malloc(bytes);
         assert_non_null(memory);
@@ -232,7 +232,7 @@ typedef struct worker {
 static void *work(void *context)
 {
     worker *w = context;
-    const glint_quality quality = {GLINT_SHADING_EXACT};
+    const glint_quality quality = {.shading = GLINT_SHADING_EXACT};
     uint8_t *const picture = malloc(w->expected.bytes);
     const glint_display display = {
         .width_px = 64, .height_px = 64, .band_px = 5, .flush = copy_flush, .context = picture};

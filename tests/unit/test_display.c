@@ -370,7 +370,7 @@ static void test_stride_leaves_gaps(void **state)
         uint8_t *const memory = malloc(bytes + FRAME_CANARY);
         assert_non_null(memory);
         memset(memory, FRAME_CANARY_BYTE, bytes + FRAME_CANARY);
-        const glint_quality quality = {GLINT_SHADING_EXACT};
+        const glint_quality quality = {.shading = GLINT_SHADING_EXACT};
         assert_int_equal(be->render(&demo_room, &display, &quality, memory, bytes, NULL), 0);
         assert_int_equal(check.rows, format == GLINT_MONO_PAGES ? 4 : 27);
         for (int i = 0; i < FRAME_CANARY; i++) {

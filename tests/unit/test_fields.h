@@ -22,6 +22,12 @@ typedef struct field_triangle {
     attribute_plane m[3];
 } field_triangle;
 
+/* A number of the backend's in units of `one`. */
+static inline long double scaled(real value, long double one)
+{
+    return (long double)value / one;
+}
+
 static inline long double dot3(const long double a[3], const long double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -114,8 +120,8 @@ static inline void exact_m(const field_triangle *t, int x, int y, long double m[
         slope[i][1] = (long double)(dx * GLINT_FINE) / (long double)g->area;
     }
     for (int k = 0; k < 3; k++) {
-        const long double v0 = t->value[k][0] / M_ONE, v1 = t->value[k][1] / M_ONE - v0,
-                          v2 = t->value[k][2] / M_ONE - v0;
+        const long double v0 = scaled(t->value[k][0], M_ONE), v1 = scaled(t->value[k][1], M_ONE) - v0,
+                          v2 = scaled(t->value[k][2], M_ONE) - v0;
         m[k] = v0 + b[0] * v1 + b[1] * v2;
         right[k] = slope[0][0] * v1 + slope[1][0] * v2;
         down[k] = slope[0][1] * v1 + slope[1][1] * v2;
@@ -164,7 +170,7 @@ static inline void fields_set_up(const field_triangle *t, triangle_fields *f, ui
     random_direction(f->light);
     unit_of(f->light, light);
     for (int k = 0; k < 3; k++) {
-        f->light[k] = light[k] / UNIT_ONE;
+        f->light[k] = scaled(light[k], UNIT_ONE);
     }
     field_dot(&f->dot, t->m, light);
     f->usable = true;
@@ -190,12 +196,13 @@ static inline void check_pixel(const field_triangle *t, const triangle_fields *f
         return; /* no tier serves it */
     }
     worst->pixels++;
-    worst->cosine = worse(worst->cosine,
-                          fabsl((attribute_at(&f->dot, &t->gradients, x, y) - DOT_HALF) / DOT_ONE - dot3(m, f->light)) /
-                              COSINE_ERROR(away, way));
+    worst->cosine =
+        worse(worst->cosine, fabsl(((long double)attribute_at(&f->dot, &t->gradients, x, y) - DOT_HALF) / DOT_ONE -
+                                   dot3(m, f->light)) /
+                                 COSINE_ERROR(away, way));
     for (int degree = 1; degree < GLINT_CURVE_DEGREES; degree++) {
         const field_row row = field_square_at(&f->square[degree], &t->gradients, x, y);
-        const long double at = field_length(row.value, &f->polynomial[degree], degree == 2) / LENGTH_ONE;
+        const long double at = scaled(field_length(row.value, &f->polynomial[degree], degree == 2), LENGTH_ONE);
         const long double error = fabsl(at - curve_real(&f->curve[degree], degree, 1 - square));
         long double *of_degree = degree == 1 ? &worst->first : &worst->second;
         *of_degree = worse(*of_degree, error / LENGTH_ERROR(away, way));
@@ -203,7 +210,7 @@ static inline void check_pixel(const field_triangle *t, const triangle_fields *f
     field_normal(t->m, &t->gradients, x, y, unit_normal);
     long double off = 0;
     for (int k = 0; k < 3; k++) {
-        n[k] = unit_normal[k] / UNIT_ONE - m[k] / length;
+        n[k] = scaled(unit_normal[k], UNIT_ONE) - m[k] / length;
         off += n[k] * n[k];
     }
     worst->normal = worse(worst->normal, sqrtl(off) / NORMAL_ERROR(away));
@@ -314,7 +321,7 @@ static inline void rays_are_unit(void **state)
         ray_unit(&rays, x, y, got);
         const long double length = sqrtl(dot3(exact, exact));
         for (int k = 0; k < 3; k++) {
-            const long double d = got[k] / UNIT_ONE - exact[k] / length;
+            const long double d = scaled(got[k], UNIT_ONE) - exact[k] / length;
             off += d * d;
         }
         worst = worse(worst, sqrtl(off));
@@ -346,7 +353,7 @@ static inline void gaps_are_of_the_angle(void **state)
         unit_of(n, n_stored);
         unit_of(s, s_stored);
         unit_of(c, ray);
-        const long double gap = field_gap(n_stored, s_stored, ray) / GAP_ONE;
+        const long double gap = scaled(field_gap(n_stored, s_stored, ray), GAP_ONE);
         worst = worse(worst, fabsl(sqrtl(2 * fmaxl(gap, 0)) - sqrtl(apart)));
     }
     expect_bound("|r - c| by the gap", worst, GAP_ERROR);
@@ -365,10 +372,11 @@ static inline void rows_of_gaps_are_quadratic(void **state)
             f[i] = (wide_gap)(random_unit() * size * 2 * GAP_ONE);
         }
         gap_row_through(&row, f[0], f[1], f[2], log2);
-        const long double bend = (long double)f[0] - 2.0L * f[1] + f[2], slope = (long double)f[1] - f[0] - bend / 2;
+        const long double first = scaled(f[0], 1), second = scaled(f[1], 1), third = scaled(f[2], 1);
+        const long double bend = first - 2 * second + third, slope = second - first - bend / 2;
         for (int i = 0; i < 2 * apart; i++) {
             const long double t = (long double)i / apart;
-            const long double exact = f[0] + t * slope + t * t * bend / 2;
+            const long double exact = first + t * slope + t * t * bend / 2;
             worst[log2] = worse(worst[log2], fabsl((long double)gap_row_next(&row) - exact) / GAP_ONE);
         }
     }

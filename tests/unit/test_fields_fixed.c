@@ -9,7 +9,9 @@
 
 #define M_ONE 536870912.0L /* Q29 */
 #define DOT_ONE 268435456.0L
-#define DOT_HALF 4096.0L /* half of what a cosine's cut drops, which its field has */
+#define DOT_HALF 4096.0L        /* half of what a cosine's cut drops, which its field has */
+#define CHANNEL_ONE 67108864.0L /* Q26 */
+#define CHANNEL_HALF 2048.0L
 #define LENGTH_ONE 16384.0L
 #define UNIT_ONE 32768.0L
 #define GAP_ONE 268435456.0L
@@ -17,6 +19,7 @@
 /* Budgets, `away` pixels from the anchor (|dx| + |dy|), over a way of 1 and |M'| times that. */
 #define COSINE_ERROR(away, way) ((8 * (away) + 8) / DOT_ONE)
 #define LENGTH_ERROR(away, way) (7.5e-5L + (way) * (way)*ldexpl(1, -27) + ((away) + 64) * (away)*ldexpl(1, -31))
+#define CHANNEL_ERROR(length, away) ((length)*1.74L * ldexpl(1, -14) + (2 * (away) + 4) / CHANNEL_ONE)
 #define NORMAL_ERROR(away) (6e-5L + (away)*1e-7L)
 #define RAY_ERROR 7e-5L
 #define GAP_ERROR 2.5e-4L /* as lighting/bound.h states */
@@ -42,6 +45,44 @@ static void random_ray(pixel_rays *rays, long double exact[3], int16_t x, int16_
     }
 }
 
+/* The folded lights' sum, up to 4 long in Q28, is cut to 14 bits: at corner 0's pixel and up to 60 beyond. */
+static void folded_lights_keep_their_bound(void **state)
+{
+    long double worst = 0;
+    (void)state;
+    for (int round = 0; round < 200000; round++) {
+        field_triangle t;
+        attribute_plane dot;
+        long double v[3], m[3], right[3], down[3];
+        real v_q28[3];
+        if (!random_field(&t, 60, random_unit())) {
+            continue;
+        }
+        const long double length = exp2l(2 - 12 * random_unit());
+        random_direction(v);
+        for (int k = 0; k < 3; k++) {
+            v_q28[k] = (real)(v[k] * length * DOT_ONE);
+            v[k] = scaled(v_q28[k], DOT_ONE);
+        }
+        field_dot_channel(&dot, t.m, v_q28);
+        const int16_t x = (int16_t)random_between(t.edges.box.x_first, t.edges.box.x_last),
+                      y = (int16_t)random_between(t.edges.box.y_first, t.edges.box.y_last);
+        glint_spans spans;
+        int16_t row, x_first, x_last;
+        glint_spans_begin(&spans, &t.edges, y, y);
+        if (!glint_spans_next(&spans, &row, &x_first, &x_last)) {
+            continue;
+        }
+        const int16_t covered = x < x_first ? x_first : x > x_last ? x_last : x;
+        exact_m(&t, covered, row, m, right, down);
+        const long double away = abs(covered - t.gradients.anchor_x) + abs(row - t.gradients.anchor_y);
+        const long double got =
+            ((long double)attribute_at(&dot, &t.gradients, covered, row) - CHANNEL_HALF) / CHANNEL_ONE;
+        worst = worse(worst, fabsl(got - dot3(m, v)) / CHANNEL_ERROR(length, away));
+    }
+    expect_bound("M.v of folded lights, over its bound", worst, 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -50,6 +91,7 @@ int main(void)
         numeric_test(rays_are_unit),
         numeric_test(gaps_are_of_the_angle),
         numeric_test(rows_of_gaps_are_quadratic),
+        numeric_test(folded_lights_keep_their_bound),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

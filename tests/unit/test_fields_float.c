@@ -34,7 +34,7 @@ static void random_ray(pixel_rays *rays, long double exact[3], int16_t x, int16_
         rays->v[0][k] = (float)((random_unit() - 0.5L) * size);
         rays->v[1][k] = (float)((random_unit() - 0.5L) * size / 256);
         rays->v[2][k] = (float)((random_unit() - 0.5L) * size / 256);
-        exact[k] = rays->v[0][k] + (long double)x * rays->v[1][k] + (long double)y * rays->v[2][k];
+        exact[k] = scaled(rays->v[0][k], 1) + x * scaled(rays->v[1][k], 1) + y * scaled(rays->v[2][k], 1);
     }
 }
 

@@ -165,7 +165,7 @@ static int draw(panel *p, int which, uint16_t band_px, uint8_t buffers)
 {
     board b;
     set_scene(&b);
-    const glint_quality quality = {GLINT_SHADING_EXACT};
+    const glint_quality quality = {.shading = GLINT_SHADING_EXACT};
     const glint_display display = {.width_px = WIDTH,
                                    .height_px = HEIGHT,
                                    .band_px = band_px,

@@ -70,7 +70,7 @@ static int at_once(void *context, const glint_band *band)
 static int draw(const glint_display *display, int which)
 {
     board b;
-    const glint_quality quality = {GLINT_SHADING_EXACT};
+    const glint_quality quality = {.shading = GLINT_SHADING_EXACT};
     board_set_up(&b);
     b.object.place = glint_turn_x(9000);
     b.material.diffuse = board_grey(16384);
