@@ -81,6 +81,7 @@ static const word shading_words[] = {{"exact", GLINT_SHADING_EXACT}, {"q2", GLIN
 static const word tier_words[] = {{"unlit", GLINT_TIER_UNLIT},
                                   {"flat", GLINT_TIER_FLAT},
                                   {"gouraud", GLINT_TIER_GOURAUD},
+                                  {"curved", GLINT_TIER_CURVED},
                                   {"q1", GLINT_TIER_Q1},
                                   {"q2", GLINT_TIER_Q2},
                                   {"exact", GLINT_TIER_EXACT},

@@ -35,8 +35,10 @@ enum {
  *
  * unlit:   no light reaches it: one colour, the ambient term.
  * flat:    one colour.
- * Gouraud: each light's cosine N.s linear over the triangle, clamped at each pixel, times a constant for 1/|N|.
- * q1, q2:  1/|N| by a polynomial of first or second degree in 1 - |N|^2.
+ * Gouraud: colours linear over the triangle; the tier of that shading, never chosen by a tolerance.
+ * curved:  each light's cosine a polynomial of second degree on the screen, clamped at each pixel; a highlight's one of
+ *          third degree.
+ * q1, q2:  each light's N.s linear on the screen, times 1/|N| by a polynomial of first or second degree in 1 - |N|^2.
  * exact:   N normalised at each pixel.
  *
  * The error counts against the model in real numbers with the perspective-correct, renormalised normal, in codes of
@@ -48,10 +50,11 @@ enum {
     GLINT_TIER_UNLIT = 0,
     GLINT_TIER_FLAT = 1,
     GLINT_TIER_GOURAUD = 2,
-    GLINT_TIER_Q1 = 3,
-    GLINT_TIER_Q2 = 4,
-    GLINT_TIER_EXACT = 5,
-    GLINT_TIERS = 6
+    GLINT_TIER_CURVED = 3,
+    GLINT_TIER_Q1 = 4,
+    GLINT_TIER_Q2 = 5,
+    GLINT_TIER_EXACT = 6,
+    GLINT_TIERS = 7
 };
 
 /* A tolerance in codes, a constant of 0.75..15.9; with the default shading only. */

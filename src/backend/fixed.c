@@ -12,11 +12,11 @@
 
 #include "display/flush.h"
 #include "geometry/vertex_fixed.h"
+#include "lighting/gloss_fixed.h"
 #include "memory.h"
 #include "raster/attribute_fixed.h"
 #include "raster/bands.h"
 #include "raster/depth.h"
-#include "raster/field_fixed.h"
 #include "validate.h"
 
 #include "lighting/terms.inc"

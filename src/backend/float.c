@@ -12,11 +12,11 @@
 
 #include "display/flush.h"
 #include "geometry/vertex_float.h"
+#include "lighting/gloss_float.h"
 #include "memory.h"
 #include "raster/attribute_float.h"
 #include "raster/bands.h"
 #include "raster/depth.h"
-#include "raster/field_float.h"
 #include "validate.h"
 
 #include "lighting/terms.inc"

@@ -62,11 +62,14 @@ glint_place glint_shift(int32_t x_q16, int32_t y_q16, int32_t z_q16)
     return place;
 }
 
-/* a.b in Q16 of two Q16 vectors, plus c in Q16. Each product is below 2^62 in magnitude, so it is halved in precision
- * before the sum: rounding adds 3 2^-17 ulp. */
-static int32_t row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t plus)
+/* row . column in Q16 of two Q16 vectors, plus an addend in Q16. Each product is below 2^62 in magnitude, so it is cut
+ * by two bits before the sum: this adds less than 3 2^-14 ulp. */
+static int32_t row_times(const int32_t row[3], const int32_t column[3], int32_t plus)
 {
-    const int64_t sum = (((int64_t)row[0] * x) >> 2) + (((int64_t)row[1] * y) >> 2) + (((int64_t)row[2] * z) >> 2);
+    int64_t sum = 0;
+    for (int j = 0; j < 3; j++) {
+        sum += ((int64_t)row[j] * column[j]) >> 2;
+    }
     GLINT_TRACE("place sum", sum);
     return saturate_s32(((sum + (1 << 13)) >> 14) + plus);
 }
@@ -77,12 +80,15 @@ glint_place glint_then(const glint_place *first, const glint_place *second)
     glint_place place;
     glint_linear_of(first, a);
     glint_linear_of(second, b);
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++) {
-            place.linear_q16[i][k] = row_times(b[i], a[0][k], a[1][k], a[2][k], 0);
+    for (int k = 0; k < 4; k++) { /* three columns and the origin */
+        int32_t column[3];
+        for (int j = 0; j < 3; j++) {
+            column[j] = k < 3 ? a[j][k] : first->origin_q16[j];
         }
-        place.origin_q16[i] =
-            row_times(b[i], first->origin_q16[0], first->origin_q16[1], first->origin_q16[2], second->origin_q16[i]);
+        for (int i = 0; i < 3; i++) {
+            const int32_t entry = row_times(b[i], column, k < 3 ? 0 : second->origin_q16[i]);
+            *(k < 3 ? &place.linear_q16[i][k] : &place.origin_q16[i]) = entry;
+        }
     }
     return place;
 }

@@ -44,21 +44,28 @@ static inline bool vertex_is_near(const transform_state *state, const view_verte
     return v->z <= state->near_z; /* a vertex on the plane counts as cut away */
 }
 
-/* (coordinate / Z) in 1/4096 px from the display's centre; false beyond the guard band. r is 2^62 / (Z 2^zeros). */
+/* coordinate 2^up, below 2^27 in magnitude; false if it would be larger. */
+static inline bool project_raise(int32_t *coordinate, int up)
+{
+    if (up > 27 || magnitude32(*coordinate) >> (27 - up)) {
+        return *coordinate == 0;
+    }
+    *coordinate = (int32_t)((uint32_t)*coordinate << up);
+    return true;
+}
+
+/* coordinate r / 2^(33 + down), which is (coordinate / Z) in 1/4096 px from the display's centre, rounded to nearest;
+ * false beyond the guard band. r < 2^31, down within 0..31. */
 static inline bool project_coordinate(int32_t coordinate, uint32_t r, int down, int32_t centre, int32_t *screen)
 {
-    const int64_t product = (int64_t)coordinate * r; /* < 2^61 */
-    GLINT_TRACE("projection product", product);
-    if (down < 1 || down > 62) {
-        *screen = centre;
-        return down > 62 || product == 0; /* infinitely small or large */
-    }
-    const int64_t fine = (product + ((int64_t)1 << (down - 1))) >> down;
-    if (fine < -(int32_t)GLINT_GUARD_PX * GLINT_FINE || fine > (int32_t)GLINT_GUARD_PX * GLINT_FINE) {
+    GLINT_TRACE("projection product", (int64_t)coordinate * r); /* < 2^61, so the upper half < 2^29 */
+    const int32_t fine = ((multiply_high_s32_u31(coordinate, r) >> down) + 1) >> 1;
+    const int32_t guard = (int32_t)GLINT_GUARD_PX * GLINT_FINE;
+    if (fine < -guard || fine > guard) {
         return false;
     }
     GLINT_TRACE("screen from centre q12", fine);
-    *screen = centre + (int32_t)fine;
+    *screen = centre + fine;
     return true;
 }
 
@@ -68,18 +75,33 @@ static inline bool vertex_project(const transform_state *state, const view_verte
 {
     const uint32_t z = v->z > 0 ? (uint32_t)v->z : 1;
     const int zeros = clz32(z);
-    const uint32_t r = glint_reciprocal_q31(z << zeros);
-    /* 1/Z = r 2^(z_fraction + zeros - 62); with X 2^-xy_fraction and 2^12 steps in a px: */
-    const int down = 62 - GLINT_FINE_BITS - zeros - state->z_fraction + state->xy_fraction;
-    if (!project_coordinate(v->x, r, down, (int32_t)view->width_px * (GLINT_FINE / 2), &screen->x) ||
-        !project_coordinate(v->y, r, down, (int32_t)view->height_px * (GLINT_FINE / 2), &screen->y)) {
+    const uint32_t r = glint_reciprocal_q31(z << zeros); /* in [2^30, 2^31) */
+    /* 1/Z = r 2^(z_fraction + zeros - 62); with X 2^-xy_fraction and 2^12 steps in a px, the position is
+     * X r / 2^(33 + down): for down >= 0 the upper half of the product and the bit that rounds suffice. */
+    const int shift = zeros + state->z_fraction;
+    int down = 62 - GLINT_FINE_BITS - 33 - shift + state->xy_fraction;
+    int32_t x = v->x, y = v->y;
+    if (down < 0) {
+        /* X in finer units; one that would reach 2^27 is 2^24 steps or more from the centre, beyond the guard band */
+        if (!project_raise(&x, -down) || !project_raise(&y, -down)) {
+            return false;
+        }
+        down = 0;
+    }
+    down = down > 31 ? 31 : down;
+    if (!project_coordinate(x, r, down, (int32_t)view->width_px * (GLINT_FINE / 2), &screen->x) ||
+        !project_coordinate(y, r, down, (int32_t)view->height_px * (GLINT_FINE / 2), &screen->y)) {
         return false;
     }
-    const int depth_down = 62 - zeros - state->z_fraction + state->depth_near.f;
-    const int64_t depth = depth_down < 0    ? GLINT_DEPTH_SPAN
-                          : depth_down > 62 ? 0
-                                            : ((int64_t)state->depth_near.m * r) >> depth_down; /* near SPAN / Z */
-    screen->depth_q30 = GLINT_DEPTH_BIAS + (int32_t)(depth < GLINT_DEPTH_SPAN ? depth : GLINT_DEPTH_SPAN);
+    /* near SPAN / Z = near.m r >> (31 + depth_down); the product is at least 2^60 and SPAN below 2^30 */
+    const int depth_down = 31 - shift + state->depth_near.f;
+    uint32_t depth = (uint32_t)GLINT_DEPTH_SPAN;
+    if (depth_down >= 0) {
+        const uint32_t exact = multiply_high_u32((uint32_t)state->depth_near.m << 1, r) /* < 2^31 */
+                               >> (depth_down > 31 ? 31 : depth_down);
+        depth = exact < depth ? exact : depth;
+    }
+    screen->depth_q30 = GLINT_DEPTH_BIAS + (int32_t)depth;
     GLINT_TRACE("inverse depth q30", screen->depth_q30);
     return true;
 }

@@ -166,6 +166,40 @@ uint32_t glint_bound_quadratic(uint32_t gloss, uint32_t normal_q20, uint32_t vie
     return error > (uint32_t)1 << 20 ? UINT32_MAX : ((error * 263) >> 16) + 1;
 }
 
+uint32_t glint_bound_curve(uint32_t diffuse, uint32_t turn_q16)
+{
+    const uint32_t square_q16 = (turn_q16 * turn_q16 >> 16) + 1; /* turn < 2^16 */
+    const uint32_t cube_q16 = (square_q16 * turn_q16 >> 16) + 1;
+    /* 0.0275 = 1802 / 2^16 */
+    return ((multiply_high_u32(diffuse << 8, cube_q16 << 8) + 1) * 1802 >> 16) + 1;
+}
+
+uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_t specular, uint32_t turn_q16)
+{
+    const uint32_t n = size->reach, view_q16 = size->view_q16;
+    if (n > 255 || size->up < 2 || view_q16 > 32768 || gloss >> 24 != 0) {
+        return UINT32_MAX;
+    }
+    const uint32_t square_q16 = (turn_q16 * turn_q16 >> 16) + 1;
+    const uint32_t pair_q14 = (view_q16 * ((turn_q16 + view_q16) >> 1) >> 17) + 1; /* <= 0.6 */
+    /* units of each term: 1/2 + 3 2^(8 - 3 up), 1/2 + 3 2^(6 - 2 up), 1/2 + 2 2^(5 - up) */
+    const uint32_t cube = (n + 3) * n * n / 6, square = n * n / 2 + 1;
+    const uint32_t rounding = size->up == 2   ? 13 * cube + 13 * square + 17 * n
+                              : size->up == 3 ? 2 * cube + 4 * square + 9 * n
+                                              : cube * 3 / 4 + 2 * square + 5 * n;
+    if (rounding >> (28 - size->down) != 0) {
+        return UINT32_MAX;
+    }
+    /* 1/160 pair^2; a unit is 2^(down - 29) / 9, below 2^(down - 28) / 16 */
+    const uint32_t gap_q28 =
+        (pair_q14 * pair_q14 >> 10) * 13 / 2 + 8 + ((rounding << size->down) >> 4) + (size->end_q28 >> 17) + 32;
+    const uint32_t of_gap = multiply_high_u32(gloss << 4, gap_q28) + 1;
+    /* 0.018 turn^4 + 1e-4, as Q22 */
+    const uint32_t fourth_q16 = (square_q16 * square_q16 >> 16) + 1;
+    const uint32_t relative_q22 = (fourth_q16 * 1180 >> 10) + 420;
+    return of_gap + (multiply_high_u32(specular << 8, relative_q22 << 2)) + 1;
+}
+
 /*
  * Without weights, interpolation is affine instead of perspective-correct, which moves barycentric coordinates by at
  * most (sqrt(r) - 1) / (sqrt(r) + 1) <= (r - 1) / 4 for a ratio of depths r, and the normal by that times sqrt(D) /
@@ -231,11 +265,34 @@ void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3]
     } else if (drop_q16 == 0 || bound->chord_q16 == 0) {
         affine = 0;
     }
+    choice->turn_q16 = ONE_Q16;
     /* y up to 1 - u^2 (1 - D/3), and 16 units for stored normals that are shorter than 1; D/3 rounded up */
     const uint32_t third = bound->chord_q16 < 2 * ONE_Q16 ? ((bound->chord_q16 * 21846) >> 16) + 1 : ONE_Q16;
     const uint32_t rest = third < ONE_Q16 ? ONE_Q16 - third : 0;
     const uint32_t square = weight_q16 == ONE_Q16 ? rest : multiply_high_u32(weight_q16 * (weight_q16 >> 1) * 2, rest);
-    const uint8_t class = glint_curve_class(ONE_Q16 - square + 16);
+    const uint32_t y_q16 = ONE_Q16 - square + 16;
+    if (least <= GLINT_TIER_CURVED && greatest >= GLINT_TIER_CURVED) {
+        /* edges of M up to sqrt(D + (1 - u)^2) */
+        const uint32_t part_q16 = weight_q16 == ONE_Q16 ? 0 : drop_q16 + 1;
+        const uint32_t edge_q16 = bound->chord_q16 + (part_q16 < ONE_Q16 ? (part_q16 * part_q16 >> 16) + 1 : ONE_Q16);
+        if (y_q16 <= ONE_Q16 / 2 && edge_q16 < ONE_Q16 / 2) {
+            /* 1 / (1 - y) <= 1 + y + 2 y^2 for y <= 1/2 */
+            const uint32_t inverse_q12 = ((ONE_Q16 + y_q16 + (y_q16 * y_q16 >> 15)) >> 4) + 1;
+            const uint32_t square_q16 = (edge_q16 * inverse_q12 >> 12) + 1;
+            choice->turn_q16 = square_q16 < ONE_Q16 / 2 ? glint_square_root_u32(square_q16 << 16) + 1 : ONE_Q16;
+        }
+        if (choice->turn_q16 <= GLINT_TURN_MOST_Q16) {
+            const uint32_t error = HALF_CODE + bound->fixed + 2 * bound->reach + affine +
+                                   (bound->left > bound->gloss ? bound->left : bound->gloss) +
+                                   glint_bound_curve(bound->diffuse, choice->turn_q16);
+            if (error <= most && error <= UINT16_MAX) {
+                choice->tier = GLINT_TIER_CURVED;
+                choice->promise = (uint16_t)error;
+                return;
+            }
+        }
+    }
+    const uint8_t class = glint_curve_class(y_q16);
     if (class == GLINT_CURVE_CLASSES) {
         return;
     }
@@ -244,8 +301,8 @@ void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3]
     const uint32_t e_q16 = choice->curve.error_q16;
     choice->longest_q15 =
         choice->curve.c_q15[0] + ((choice->curve.c_q15[0] * (e_q16 + ((e_q16 * e_q16 >> 16) * 5 >> 2) + 1)) >> 16) + 1;
-    for (uint8_t degree = 0; degree < GLINT_CURVE_DEGREES; degree++) {
-        const uint8_t tier = (uint8_t)(GLINT_TIER_GOURAUD + degree);
+    for (uint8_t degree = 1; degree < GLINT_CURVE_DEGREES; degree++) {
+        const uint8_t tier = (uint8_t)(GLINT_TIER_Q1 + degree - 1);
         glint_curve_of(class, degree, &choice->curve);
         if (choice->curve.error_q16 > GLINT_CURVE_MOST_Q16) {
             continue;

@@ -132,6 +132,36 @@ int32_t glint_bound_clear(uint32_t gap_q31, uint32_t highlight_q15, uint32_t per
  */
 uint32_t glint_bound_quadratic(uint32_t gloss, uint32_t normal_q20, uint32_t view_q20, int log2);
 
+/*
+ * Curves over a triangle: a cosine n.l is interpolated by the polynomial of degree 2 through its values at the corners
+ * and the middles of the edges. With turn = (the longest edge of the triangle of M) / (the least |M| on it), the vector
+ * from the interpolated n to the true one is at most 0.0249 turn^3 long for turns up to 0.8 (found by searching over
+ * shapes, tests/unit/test_curves.c; the third derivative's part of its Taylor formula alone would prove 0.1), so the
+ * sum of lights errs by that times their sum.
+ */
+#define GLINT_TURN_MOST_Q16 45000 /* 0.69 */
+uint32_t glint_bound_curve(uint32_t diffuse, uint32_t turn_q16);
+
+/* What the errors of cubics depend on. */
+typedef struct glint_cubic_size {
+    uint32_t view_q16; /* the longest edge of the triangle of rays R, over the least |R| on it: their turn */
+    uint32_t reach;    /* the greatest |dx| + |dy| from the centroid to a pixel */
+    uint32_t end_q28;  /* where the table of the specular term ends */
+    int up, down;      /* of raster/lattice_fixed.h: spare bits of the gradients, and bits that the values have less */
+} glint_cubic_size;
+
+/*
+ * A highlight's |M|^2 (1 - r.c) by a polynomial of degree 3 through ten points errs by at most 0.0059 (turn view +
+ * view^2)^2 |M|^2, 1/|M|^2 by a relative 0.0165 turn^4 (searched for like the above). Rounding adds to the former at n
+ * pixels from the centroid C(n, 3) units of 2^(down - 29) / 9 for the rounding of a third difference, C(n, 2) for that
+ * of a second and n for a first, each half a unit and what its products were cut by; and the table's argument is cut
+ * to 2^-17 of its end. All of it counts `gloss` times, the specular peak times the exponent. The relative errors of
+ * 1/|M|^2, with 1e-4 for rounding, are of a gap g, and g exponent (1 - g)^(exponent - 1) is at most 1 for exponents
+ * from 1 on, 1/2 from 2 on, which `specular` is to account for. UINT32_MAX where there is no bound: coefficients may
+ * not fit where `up` is below 2.
+ */
+uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_t specular, uint32_t turn_q16);
+
 /* What is known of a triangle before it is drawn. */
 typedef struct glint_bound {
     uint32_t diffuse;     /* 1/256 code: what the lights that reach it can add, the channel with the most */
@@ -150,7 +180,8 @@ typedef struct glint_choice {
     uint16_t promise;       /* 1/256 code */
     uint16_t weight_q15[3]; /* u of each corner; all 32768 where perspective need not be corrected */
     glint_curve curve;      /* of tiers Gouraud to q2 */
-    uint32_t longest_q15;   /* 1/|M| at most; for tiers Gouraud to q2 */
+    uint32_t longest_q15;   /* 1/|M| at most; for tiers q1 and q2 */
+    uint32_t turn_q16;      /* see glint_bound_curve(); for the tier of curves */
 } glint_choice;
 
 /*

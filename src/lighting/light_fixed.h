@@ -310,6 +310,20 @@ static inline bool light_towards(const light_place *light, const surface *at, re
     return difference > whole >> 15 && unit(v, out);
 }
 
+/* Folding of lights at one corner: the light's cosine there (Q15) by its share of a ramp, to its steps in Q19 ... */
+static inline void light_fold_step(real *step, real cosine, real share)
+{
+    *step += (cosine * share) >> 1;
+}
+
+/* ... or by each channel of its colour, Q26. */
+static inline void light_fold_channel(real channel[3], real cosine, const light_product *product)
+{
+    for (int c = 0; c < 3; c++) {
+        channel[c] += (cosine * (int32_t)(product->q15[c] >> 1)) >> 3; /* the product has 17 bits */
+    }
+}
+
 /* Folding of lights into one vector: the sum of unit vectors by their shares of a ramp, Q15 (at most 1) ... */
 static inline void light_fold(real sum[3], const real towards[3], real share)
 {

@@ -225,6 +225,18 @@ static inline bool light_towards(const light_place *light, const surface *at, re
     return cosine_of(v, v) > cosine_of(at->ray, at->ray) * (limit * limit) && unit(v, out);
 }
 
+static inline void light_fold_step(real *step, real cosine, real share)
+{
+    *step += cosine * share;
+}
+
+static inline void light_fold_channel(real channel[3], real cosine, const light_product *product)
+{
+    for (int c = 0; c < 3; c++) {
+        channel[c] += cosine * product->channel[c];
+    }
+}
+
 static inline void light_fold(real sum[3], const real towards[3], real share)
 {
     for (int k = 0; k < 3; k++) {

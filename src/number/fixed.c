@@ -3,16 +3,56 @@
 
 #include "number/tables.h"
 
+int glint_clz32(uint32_t value)
+{
+    return clz32_search(value);
+}
+
+uint32_t glint_multiply_high_u32(uint32_t a, uint32_t b)
+{
+    return multiply_high_narrow_u32(a, b);
+}
+
+int32_t glint_multiply_high_s32(int32_t a, int32_t b)
+{
+    return multiply_high_narrow_s32(a, b);
+}
+
 uint32_t glint_reciprocal_q31(uint32_t x_q31)
 {
-    /* cell number from the 6 bits below the leading one; seed in Q31, relative error below 2^-7 */
-    uint32_t r = (uint32_t)flash_u16(&glint_reciprocal_seed_q15[(x_q31 >> 25) & 63]) << 16;
-    for (int step = 0; step < 2; step++) {
-        /* 1 - x r in Q30; |.| < 2^23 in the first step, so four times it fits */
-        const int32_t residual_q30 = ((int32_t)1 << 30) - (int32_t)multiply_high_u32(x_q31, r);
-        GLINT_TRACE("reciprocal residual q30", residual_q30);
-        r += (uint32_t)multiply_high_s32((int32_t)r, residual_q30 * 4);
-    }
+    /* cell number from the 6 bits below the leading one; the seed has 15 bits, relative error below 2^-7 */
+    const uint32_t seed_q15 = flash_u16(&glint_reciprocal_seed_q15[(x_q31 >> 25) & 63]);
+    /* 1 - x r in Q30; |.| < 2^23, so four times it fits. As r = seed 2^16, two products of 16 bits are the whole. */
+    const uint32_t product_q30 = (x_q31 >> 16) * seed_q15 + (((x_q31 & 0xffff) * seed_q15) >> 16);
+    const int32_t first_q30 = ((int32_t)1 << 30) - (int32_t)product_q30;
+    GLINT_TRACE("reciprocal residual q30", first_q30);
+    uint32_t r = (seed_q15 << 16) + (uint32_t)multiply_q16(first_q30 * 4, (int32_t)seed_q15);
+    /* The residual is squared, at most 2^-14.01 now. Products rounded down leave r too small, never too large: it has
+     * 16 bits, and two products are the whole again, (2^15 - 1)(2^16 - 1) + 2^16 < 2^31. */
+    const uint32_t second_q30 = ((uint32_t)1 << 30) - multiply_high_u32(x_q31, r);
+    GLINT_TRACE("reciprocal second residual q30", second_q30);
+    r += ((r >> 16) * second_q30 + (((r & 0xffff) * second_q30) >> 16)) >> 14;
+    GLINT_TRACE("reciprocal q31", r);
+    return r;
+}
+
+uint32_t glint_reciprocal_narrow_q31(uint32_t x_q31)
+{
+    const uint32_t x_high = x_q31 >> 16, x_low = x_q31 & 0xffff;
+    /* relative error below 2^-7 */
+    const uint32_t seed_q15 = flash_u16(&glint_reciprocal_seed_q15[(x_q31 >> 25) & 63]);
+    /* First step with the upper 16 bits of x, which stand for themselves and a half; |residual| < 2^23. The step
+     * leaves the square of the seed's error and so too little, 0..2^-14: half of that is added. */
+    const int32_t residual_q30 =
+        (int32_t)(((uint32_t)1 << 30) + ((uint32_t)1 << 15) - x_high * seed_q15 - (seed_q15 >> 1));
+    GLINT_TRACE("reciprocal residual q30", residual_q30);
+    const uint32_t r_q16 =
+        2 * seed_q15 + (uint32_t)(((int32_t)seed_q15 * (residual_q30 >> 8) + ((int32_t)1 << 20)) >> 21);
+    /* second step with all of x; r < 2^16, and |residual| < 2^16.9. It is 5 units too great, because the step leaves
+     * the square of the error again, and rounds down. */
+    const int32_t residual_q31 = (int32_t)(((uint32_t)1 << 31) + 5 - x_high * r_q16 - ((x_low * r_q16) >> 16));
+    GLINT_TRACE("reciprocal residual q31", residual_q31);
+    const uint32_t r = (r_q16 << 15) + (uint32_t)(((int32_t)r_q16 * (residual_q31 >> 2)) >> 14);
     GLINT_TRACE("reciprocal q31", r);
     return r;
 }
@@ -169,30 +209,40 @@ uint16_t glint_power_q15(uint32_t gap_q31, uint16_t exponent_q4)
     return (uint16_t)(interpolate(glint_exp_fraction_q15, at_q14 & 0x3fff, EXP_BITS) >> whole);
 }
 
+int32_t glint_multiply_q30(int32_t a, int32_t b)
+{
+    return (int32_t)(((int64_t)a * b) >> 30);
+}
+
 void glint_sine_cosine_q30(uint16_t angle_turn16, int32_t *sine_q30, int32_t *cosine_q30)
 {
     static const int32_t one = (int32_t)1 << 30;
     const unsigned quadrant = angle_turn16 >> 14;
     const int32_t within = angle_turn16 & 0x3fff;
     const bool folded = within > 0x2000; /* beyond an eighth of a turn: the series of the complement is shorter */
-    const int64_t part = folded ? 0x4000 - within : within;
+    const int32_t part = folded ? 0x4000 - within : within;
     /* radians in Q30: part / 2^14 quarter turns, pi/2 = 1686629713 / 2^30 */
-    const int64_t x = (part * 1686629713 + (1 << 13)) >> 14;
-    const int64_t xx = (x * x) >> 30;
+    const int32_t x = (int32_t)(((int64_t)part * 1686629713 + (1 << 13)) >> 14);
+    const int32_t xx = glint_multiply_q30(x, x);
     /* Taylor: x <= pi/4, so the first terms left out are below x^13/13! < 2^-36 and x^14/14! < 2^-41 */
-    int64_t sine = one, cosine = one;
+    int32_t sine = one, cosine = one;
     for (int n = 10; n >= 2; n -= 2) {
-        sine = one - (int32_t)((xx * sine) >> 30) / (n * (n + 1));
+        sine = one - glint_multiply_q30(xx, sine) / (n * (n + 1));
     }
     for (int n = 12; n >= 2; n -= 2) {
-        cosine = one - (int32_t)((xx * cosine) >> 30) / (n * (n - 1));
+        cosine = one - glint_multiply_q30(xx, cosine) / (n * (n - 1));
     }
-    sine = (x * sine) >> 30;
+    sine = glint_multiply_q30(x, sine);
     GLINT_TRACE("sine q30", sine);
     GLINT_TRACE("cosine q30", cosine);
-    const int32_t s = (int32_t)(folded ? cosine : sine), c = (int32_t)(folded ? sine : cosine);
+    const int32_t s = folded ? cosine : sine, c = folded ? sine : cosine;
     *sine_q30 = quadrant == 0 ? s : quadrant == 1 ? c : quadrant == 2 ? -s : -c;
     *cosine_q30 = quadrant == 0 ? c : quadrant == 1 ? -s : quadrant == 2 ? -c : s;
+}
+
+int64_t glint_shift_round64(int64_t value, int shift)
+{
+    return shift_round64(value, shift);
 }
 
 uint32_t glint_square_root_u32(uint32_t x)
@@ -233,16 +283,17 @@ bool glint_unit_q30(const int64_t v[3], int32_t unit_q30[3])
     /* the largest component to 30 bits: squares below 2^60, their sum below 2^62 */
     const int shift = 30 - bit_length64(any);
     uint64_t sum = 0;
-    int64_t w[3];
     for (int k = 0; k < 3; k++) {
-        w[k] = shift_round64(v[k], shift);
-        sum += (uint64_t)(w[k] * w[k]);
+        const int32_t w = (int32_t)glint_shift_round64(v[k], shift);
+        sum += (uint64_t)((int64_t)w * w);
+        unit_q30[k] = w;
     }
     GLINT_TRACE("unit q30 sum of squares", sum);
     /* four times the square doubles the root, which then has 31 bits */
     const glint_scaled inverse = glint_scaled_inverse(glint_scaled_from(glint_square_root_u64(sum << 2), 1));
+    const int down = inverse.f - 30 - 1; /* 28..30: |w| is between 2^29 and 2^30 sqrt(3) */
     for (int k = 0; k < 3; k++) {
-        const int64_t component = shift_round64(w[k] * inverse.m, 30 - inverse.f);
+        const int64_t component = ((((int64_t)unit_q30[k] * inverse.m) >> down) + 1) >> 1;
         GLINT_TRACE("unit vector q30", component);
         unit_q30[k] = (int32_t)component;
     }
@@ -262,4 +313,9 @@ glint_scaled glint_scaled_inverse(glint_scaled x)
 {
     /* x = 2m 2^-(f+1); 1/x = 2^62/(2m) 2^(f+1-62) */
     return glint_scaled_from(glint_reciprocal_q31((uint32_t)x.m << 1), 61 - x.f);
+}
+
+glint_scaled glint_scaled_times(glint_scaled x, uint32_t factor, int fraction)
+{
+    return glint_scaled_from((uint64_t)(uint32_t)x.m * factor, x.f + fraction);
 }

@@ -108,10 +108,25 @@ static inline int clz32_search(uint32_t value)
     return zeros + flash_u8(&glint_clz_u4[value >> 28]);
 }
 
+/*
+ * Compiled for size, one copy of these in number/fixed.c serves all files: clz32_search, multiply_high_narrow_u32 and
+ * multiply_high_narrow_s32.
+ */
+#if defined(__OPTIMIZE_SIZE__)
+#define GLINT_SHARE_CODE 1
+#else
+#define GLINT_SHARE_CODE 0
+#endif
+int glint_clz32(uint32_t value);
+uint32_t glint_multiply_high_u32(uint32_t a, uint32_t b);
+int32_t glint_multiply_high_s32(int32_t a, int32_t b);
+
 /* Number of leading zero bits; 32 for 0. */
 static inline int clz32(uint32_t value)
 {
-#if GLINT_SEARCH_LEADING_ZEROS
+#if GLINT_SEARCH_LEADING_ZEROS && GLINT_SHARE_CODE
+    return glint_clz32(value);
+#elif GLINT_SEARCH_LEADING_ZEROS
     return clz32_search(value);
 #elif ULONG_MAX == 0xffffffff
     return value ? __builtin_clzl(value) : 32;
@@ -152,6 +167,16 @@ static inline int bit_length64(uint64_t value)
     return high ? 64 - clz32(high) : 32 - clz32((uint32_t)value);
 }
 
+/* The upper 32 bits of value 2^(64 - bits), bits being its length: from the leading one on, the rest is cut off.
+ * value > 0. */
+static inline uint32_t normalize64(uint64_t value, int *bits)
+{
+    const uint32_t high = (uint32_t)(value >> 32), low = (uint32_t)value;
+    const int zeros = clz32(high ? high : low);
+    *bits = (high ? 64 : 32) - zeros;
+    return high ? high << zeros | low >> 1 >> (31 - zeros) : low << zeros;
+}
+
 /* floor(a b / 2^32) from four 16 x 16 bit products. */
 static inline uint32_t multiply_high_narrow_u32(uint32_t a, uint32_t b)
 {
@@ -168,6 +193,8 @@ static inline uint32_t multiply_high_u32(uint32_t a, uint32_t b)
 {
 #if GLINT_WIDE_MULTIPLY
     return (uint32_t)(((uint64_t)a * b) >> 32);
+#elif GLINT_SHARE_CODE
+    return glint_multiply_high_u32(a, b);
 #else
     return multiply_high_narrow_u32(a, b);
 #endif
@@ -190,8 +217,32 @@ static inline int32_t multiply_high_s32(int32_t a, int32_t b)
 {
 #if GLINT_WIDE_MULTIPLY
     return (int32_t)(((int64_t)a * b) >> 32);
+#elif GLINT_SHARE_CODE
+    return glint_multiply_high_s32(a, b);
 #else
     return multiply_high_narrow_s32(a, b);
+#endif
+}
+
+/* floor(a b / 2^32) for any a and b < 2^31, from four 16 x 16 bit products. With a = 2^16 ah + al, ah signed:
+ * |ah| <= 2^15 and bh < 2^15, so ah bl + 2^16 is within 2^31, and al bh + 2^16 below it. */
+static inline int32_t multiply_high_narrow_s32_u31(int32_t a, uint32_t b)
+{
+    const int32_t a_high = a >> 16, b_high = (int32_t)(b >> 16), b_low = (int32_t)(b & 0xffff);
+    const uint32_t a_low = (uint32_t)a & 0xffff;
+    const int32_t middle = a_high * b_low + (int32_t)((a_low * (uint32_t)b_low) >> 16);
+    const int32_t cross = (int32_t)a_low * b_high + (middle & 0xffff);
+    return a_high * b_high + (middle >> 16) + (cross >> 16);
+}
+
+static inline int32_t multiply_high_s32_u31(int32_t a, uint32_t b)
+{
+#if GLINT_WIDE_MULTIPLY
+    return (int32_t)(((int64_t)a * (int32_t)b) >> 32);
+#elif GLINT_SHARE_CODE
+    return glint_multiply_high_s32(a, (int32_t)b);
+#else
+    return multiply_high_narrow_s32_u31(a, b);
 #endif
 }
 
@@ -201,6 +252,17 @@ static inline int32_t multiply_q16(int32_t a, int32_t b_s16)
 {
     GLINT_TRACE("16-bit factor", b_s16);
     return (a >> 16) * b_s16 + (((int32_t)(a & 0xffff) * b_s16) >> 16);
+}
+
+/* value = high 2^16 + low with low in -2^15..2^15 - 1; |high| <= 2^14 for |value| <= 2^30. value < 2^31 - 2^15. */
+static inline int32_t low_half(int32_t value)
+{
+    return (int16_t)(uint16_t)value;
+}
+
+static inline int32_t high_half(int32_t value)
+{
+    return (value - low_half(value)) >> 16;
 }
 
 /* value 2^shift for |value| < 2^62, rounded to nearest, halves up; 0 when every bit is shifted out. The caller sees to

@@ -5,8 +5,10 @@ int64_t glint_signed_area(const glint_point corner[3])
 {
     const int32_t ax = corner[1].x - corner[0].x, ay = corner[1].y - corner[0].y;
     const int32_t bx = corner[2].x - corner[0].x, by = corner[2].y - corner[0].y;
-    if (((magnitude32(ax) | magnitude32(ay) | magnitude32(bx) | magnitude32(by)) >> 15) == 0) {
-        return ax * by - bx * ay; /* up to 128 px: 32 bits hold it, and small processors are spared wide products */
+    const int32_t most = (int32_t)1 << 15;
+    if ((uint32_t)((ax + most) | (ay + most) | (bx + most) | (by + most)) >> 16 == 0) {
+        /* -2^15..2^15 - 1, 128 px: 32 bits hold it, and small processors are spared wide products */
+        return ax * by - bx * ay;
     }
     const int64_t area = (int64_t)ax * by - (int64_t)bx * ay;
     GLINT_TRACE("signed area q16", area);
@@ -55,89 +57,99 @@ glint_box glint_bounding_box(const glint_point corner[3], uint16_t width_px, uin
     return box;
 }
 
+/* Upper and lower of a side's edges on the left, lower and upper on the right, by the set of them, 4 for edge 0, 2 for
+ * edge 1, 1 for edge 2. Edge i ends where edge i + 1 (modulo 3) begins, and clockwise the left side is run through
+ * upwards, the right side downwards. Two bits for each of the eight sets. */
+#define LATER_EDGE_OF_SET (2u << 2 | 1u << 4 | 2u << 6 | 0u << 8 | 0u << 10 | 1u << 12)
+#define EARLIER_EDGE_OF_SET (2u << 2 | 1u << 4 | 1u << 6 | 0u << 8 | 2u << 10 | 0u << 12)
+
+static uint8_t edge_of_set(uint32_t table, uint32_t set)
+{
+    return (uint8_t)(table >> (2 * set) & 3);
+}
+
+/* Edge i from one corner to another, each told by the way from it to the centre of the box's first pixel. Returns 1 for
+ * an edge on the left, 2^16 for one on the right. */
+static inline uint32_t set_up_edge(glint_edges *edges, int i, int32_t x, int32_t y, int32_t x_to, int32_t y_to)
+{
+    const int32_t dx = x - x_to, dy = y - y_to; /* < 2^20 */
+    /* 0 on a left or top edge, dy < 0, or dy = 0 and dx > 0; else -1 */
+    const int32_t bias = (((dx - 1) >> 31) - dy) >> 31;
+    /* whole pixels aside: below 2^20 times below 2^8, so < 2^29 before the shift */
+    const int32_t part = (dx * (uint8_t)y - dy * (uint8_t)x + bias) >> GLINT_SUBPIXEL_BITS;
+    const int32_t columns = x >> GLINT_SUBPIXEL_BITS, rows = y >> GLINT_SUBPIXEL_BITS;
+    GLINT_TRACE("edge step", dx);
+    GLINT_TRACE("edge step", dy);
+    GLINT_TRACE("edge part", part);
+    GLINT_TRACE("edge function", (int64_t)dx * rows - (int64_t)dy * columns + part);
+    edges->step_x[i] = -dy;
+    edges->step_y[i] = dx;
+    edges->value[i] = (uint32_t)dx * (uint32_t)rows - (uint32_t)dy * (uint32_t)columns + (uint32_t)part;
+    return ((uint32_t)dy >> 31) + ((uint32_t)-dy >> 31 << 16);
+}
+
 void glint_edges_set_up(glint_edges *edges, const glint_point corner[3], bool clockwise, glint_box box)
 {
-    uint8_t lefts = 0, rights = 0;
+    const int32_t centre_x = box.x_first * GLINT_SUBPIXEL + GLINT_SUBPIXEL / 2;
+    const int32_t centre_y = box.y_first * GLINT_SUBPIXEL + GLINT_SUBPIXEL / 2;
     edges->box = box;
     edges->order[0] = 0;
     edges->order[1] = clockwise ? 1 : 2;
     edges->order[2] = clockwise ? 2 : 1;
-    edges->left[0] = edges->left[1] = edges->right[0] = edges->right[1] = 0;
-    for (uint8_t i = 0; i < 3; i++) {
-        /* the edge opposite corner i, from j to k */
-        const glint_point *from = &corner[edges->order[i == 2 ? 0 : i + 1]];
-        const glint_point *to = &corner[edges->order[i == 0 ? 2 : i - 1]];
-        const int32_t dx = to->x - from->x, dy = to->y - from->y; /* < 2^20 */
-        const bool left_or_top = dy < 0 || (dy == 0 && dx > 0);
-        const int32_t pixel_x = from->x >> GLINT_SUBPIXEL_BITS, pixel_y = from->y >> GLINT_SUBPIXEL_BITS;
-        const int32_t offset_x = GLINT_SUBPIXEL / 2 - (from->x & (GLINT_SUBPIXEL - 1)); /* |.| <= 128 */
-        const int32_t offset_y = GLINT_SUBPIXEL / 2 - (from->y & (GLINT_SUBPIXEL - 1));
-        const int32_t part =
-            (dx * offset_y - dy * offset_x - (left_or_top ? 0 : 1)) >> GLINT_SUBPIXEL_BITS; /* < 2^28 */
-        GLINT_TRACE("edge step", dx);
-        GLINT_TRACE("edge step", dy);
-        GLINT_TRACE("edge part", part);
-        GLINT_TRACE("edge function",
-                    (int64_t)dx * (box.y_first - pixel_y) - (int64_t)dy * (box.x_first - pixel_x) + part);
-        edges->step_x[i] = -dy;
-        edges->step_y[i] = dx;
-        edges->value[i] = (uint32_t)dx * (uint32_t)(box.y_first - pixel_y) -
-                          (uint32_t)dy * (uint32_t)(box.x_first - pixel_x) + (uint32_t)part;
-        if (dy < 0) {
-            edges->left[lefts++] = i;
-        } else if (dy > 0) {
-            edges->right[rights++] = i;
-        }
-    }
+    const glint_point *const second = &corner[clockwise ? 1 : 2], *const third = &corner[clockwise ? 2 : 1];
+    const int32_t x0 = centre_x - corner->x, y0 = centre_y - corner->y;
+    const int32_t x1 = centre_x - second->x, y1 = centre_y - second->y;
+    const int32_t x2 = centre_x - third->x, y2 = centre_y - third->y;
+    const uint32_t sets = 4 * set_up_edge(edges, 0, x1, y1, x2, y2) + 2 * set_up_edge(edges, 1, x2, y2, x0, y0) +
+                          set_up_edge(edges, 2, x0, y0, x1, y1);
+    const uint32_t lefts = sets & 7, rights = sets >> 16;
+    edges->left[0] = edge_of_set(LATER_EDGE_OF_SET, lefts);
+    edges->left[1] = edge_of_set(EARLIER_EDGE_OF_SET, lefts);
+    edges->right[0] = edge_of_set(EARLIER_EDGE_OF_SET, rights);
+    edges->right[1] = edge_of_set(LATER_EDGE_OF_SET, rights);
+    edges->bend_left = edges->left[0] != edges->left[1];
     edges->row_of_bend = INT16_MAX;
-    edges->bend_left = lefts == 2;
-    if (lefts == 2 || rights == 2) {
+    const uint8_t *pair = edges->bend_left ? edges->left : edges->right;
+    if (pair[0] != pair[1]) {
         /* two edges of one side meet in the corner that neither of them is opposite to */
-        uint8_t *pair = lefts == 2 ? edges->left : edges->right;
         const uint8_t bend = (uint8_t)(3 - pair[0] - pair[1]);
-        /* clockwise, the left side is run through upwards and the right side downwards */
-        const bool first_begins_there = bend == (pair[0] == 2 ? 0 : pair[0] + 1);
-        if (first_begins_there != (lefts == 2)) {
-            const uint8_t lower = pair[0];
-            pair[0] = pair[1];
-            pair[1] = lower;
-        }
-        edges->row_of_bend = clamp_pixel(first_pixel(corner[edges->order[bend]].y), 0, INT16_MAX);
+        edges->row_of_bend = (int16_t)first_pixel(corner[edges->order[bend]].y);
     }
 }
 
-static void take_edge(glint_side *side, const glint_edges *edges, uint8_t edge, int16_t x, int16_t y)
+/* The values of an edge from pixel (x, y) on. */
+static void take_edge(glint_side *side, const glint_edges *edges, uint8_t edge, int x, int y)
 {
-    side->value = edges->value[edge] + (uint32_t)(x - edges->box.x_first) * (uint32_t)edges->step_x[edge] +
-                  (uint32_t)(y - edges->box.y_first) * (uint32_t)edges->step_y[edge];
-    GLINT_TRACE("edge function", (int32_t)edges->value[edge] + (int64_t)(x - edges->box.x_first) * edges->step_x[edge] +
-                                     (int64_t)(y - edges->box.y_first) * edges->step_y[edge]);
-    side->inwards = magnitude32(edges->step_x[edge]);
-    side->down = (uint32_t)edges->step_y[edge];
+    const int32_t columns = x - edges->box.x_first, rows = y - edges->box.y_first;
+    const int32_t step_x = edges->step_x[edge], step_y = edges->step_y[edge];
+    side->value = edges->value[edge] + (uint32_t)columns * (uint32_t)step_x + (uint32_t)rows * (uint32_t)step_y;
+    GLINT_TRACE("edge function", (int32_t)edges->value[edge] + (int64_t)columns * step_x + (int64_t)rows * step_y);
+    side->inwards = magnitude32(step_x);
+    side->down = (uint32_t)step_y;
 }
 
 void glint_spans_bend(glint_spans *spans)
 {
     const glint_edges *edges = spans->edges;
     if (edges->bend_left) {
-        take_edge(&spans->left, edges, edges->left[1], spans->x_left, spans->y);
+        take_edge(&spans->left, edges, edges->left[1], spans->x_first + spans->left.inset, spans->y);
     } else {
-        take_edge(&spans->right, edges, edges->right[1], spans->x_right, spans->y);
+        take_edge(&spans->right, edges, edges->right[1], spans->x_last - spans->right.inset, spans->y);
     }
-    spans->row_of_bend = INT16_MAX;
+    spans->y_stop = spans->y_end;
 }
 
 void glint_spans_begin(glint_spans *spans, const glint_edges *edges, int16_t y_first, int16_t y_last)
 {
+    const int lower = edges->row_of_bend <= y_first; /* the bend is behind */
     spans->edges = edges;
-    spans->x_left = spans->x_first = edges->box.x_first;
-    spans->x_right = spans->x_last = edges->box.x_last;
+    spans->x_first = edges->box.x_first;
+    spans->x_last = edges->box.x_last;
+    spans->columns = spans->x_last - spans->x_first + 1;
+    spans->left.inset = spans->right.inset = 0;
     spans->y = y_first;
-    spans->y_last = y_last;
-    spans->row_of_bend = edges->row_of_bend;
-    take_edge(&spans->left, edges, edges->left[0], spans->x_left, y_first);
-    take_edge(&spans->right, edges, edges->right[0], spans->x_right, y_first);
-    if (edges->row_of_bend <= y_first) {
-        glint_spans_bend(spans);
-    }
+    spans->y_end = y_last + 1;
+    spans->y_stop = lower || edges->row_of_bend > y_last ? spans->y_end : edges->row_of_bend;
+    take_edge(&spans->left, edges, edges->left[lower], spans->x_first, y_first);
+    take_edge(&spans->right, edges, edges->right[lower], spans->x_last, y_first);
 }

@@ -7,8 +7,8 @@
  * For an edge from i to j, with d = v_j - v_i in sub-pixels, E(p) = dx (p_y - v_iy) - dy (p_x - v_ix) is twice the area
  * of (v_i, v_j, p), positive inside since triangles are set up clockwise as seen on the display (y down). E is a number
  * of squared sub-pixels and needs 41 bits; but pixel centres are 256 sub-pixels apart, so with p = v_i + 256 (m, n) +
- * f, f the offset to a pixel centre, E >= 0 holds just when E' = dx n - dy m + floor((dx f_y - dy f_x + bias) / 256) >=
- * 0,     bias = 0 on left and top edges, -1 elsewhere, since the first two terms of E / 256 are whole. |E'| <= 2 area /
+ * f, f what is left, 0..255 in x and y, E >= 0 holds just when E' = dx n - dy m + floor((dx f_y - dy f_x + bias) / 256)
+ * >= 0, bias = 0 on left and top edges, -1 elsewhere, since the first two terms of E / 256 are whole. |E'| <= 2 area /
  * 256 <= 256 L^2, L the side in px of the bounding box of triangle and sample points: below 2^31 for L < 2896. The
  * guard band keeps L at or below 2 GLINT_GUARD_PX = 2880. The products wrap modulo 2^32 on the way, which the final
  * range makes good.
@@ -55,14 +55,14 @@ typedef struct glint_box {
  * test of its own, and neither does a single corner, which its right edge leaves out.
  */
 typedef struct glint_edges {
+    glint_box box;             /* pixels that the triangle may cover, within the display */
+    uint8_t order[3];          /* corner i of the set-up is corner order[i] of the caller: clockwise */
+    bool bend_left;            /* the side that has two */
+    uint8_t left[2], right[2]; /* upper and lower edge of each side */
+    int16_t row_of_bend;       /* first row of the lower one; INT16_MAX: there is none */
     uint32_t value[3];         /* E' of the edge opposite corner i at pixel (box.x_first, box.y_first), modulo 2^32 */
     int32_t step_x[3];         /* E' per pixel to the right (-dy) */
     int32_t step_y[3];         /* E' per pixel down (dx) */
-    glint_box box;             /* pixels that the triangle may cover, within the display */
-    uint8_t order[3];          /* corner i of the set-up is corner order[i] of the caller: clockwise */
-    uint8_t left[2], right[2]; /* upper and lower edge of each side */
-    bool bend_left;            /* the side that has two */
-    int16_t row_of_bend;       /* first row of the lower one; INT16_MAX: there is none */
 } glint_edges;
 
 /* Twice the signed area in squared sub-pixels: positive for corners clockwise on the display. Exact. */
@@ -83,14 +83,14 @@ void glint_edges_set_up(glint_edges *edges, const glint_point corner[3], bool cl
 /* One end of a row: E' of its edge there, its growth for a pixel into the triangle (> 0) and for a row down. */
 typedef struct glint_side {
     uint32_t value, inwards, down;
+    int inset; /* pixels from the box's end on this side: 0..columns, where the row is empty */
 } glint_side;
 
-/* Runs over the covered pixels of a triangle, row by row. */
+/* Runs over the covered pixels of a triangle, row by row. Coordinates are int, which small processors load faster. */
 typedef struct glint_spans {
     glint_side left, right;
-    int16_t x_left, x_right; /* the pixels at which the sides' values are taken */
-    int16_t x_first, x_last; /* the triangle's box */
-    int16_t y, y_last, row_of_bend;
+    int x_first, x_last, columns; /* of the triangle's box */
+    int y, y_stop, y_end;         /* the next row; where the triangle bends or ends; behind the last row */
     const glint_edges *edges;
 } glint_spans;
 
@@ -100,6 +100,32 @@ void glint_spans_begin(glint_spans *spans, const glint_edges *edges, int16_t y_f
 /* Takes up the lower of two edges. */
 void glint_spans_bend(glint_spans *spans);
 
+/* Moves a side to its outermost pixel of the row that the edge holds inside, and its value to the row below. Returns
+ * the inset of the pixel. */
+static inline int glint_side_move(glint_side *side, int columns)
+{
+    uint32_t value = side->value;
+    const uint32_t inwards = side->inwards;
+    int inset = side->inset;
+    if ((int32_t)value < 0) {
+        while (inset != columns) {
+            inset++;
+            value += inwards;
+            if ((int32_t)value >= 0) {
+                break;
+            }
+        }
+    } else {
+        while (inset != 0 && (int32_t)(value - inwards) >= 0) {
+            value -= inwards;
+            inset--;
+        }
+    }
+    side->value = value + side->down;
+    side->inset = inset;
+    return inset;
+}
+
 /*
  * The next row with covered pixels: x_first..x_last of row y. False after the last. The ends move by as many pixels as
  * the edges do from row to row, so a triangle takes no more steps than its box has columns on either side, and no
@@ -107,53 +133,24 @@ void glint_spans_bend(glint_spans *spans);
  */
 static inline bool glint_spans_next(glint_spans *spans, int16_t *y, int16_t *x_first, int16_t *x_last)
 {
-    while (spans->y <= spans->y_last) {
-        if (spans->y == spans->row_of_bend) {
+    for (;;) {
+        const int row = spans->y;
+        if (row >= spans->y_stop) {
+            if (row >= spans->y_end) {
+                return false;
+            }
             glint_spans_bend(spans);
         }
-        int32_t x_left = spans->x_left, x_right = spans->x_right;
-        uint32_t value = spans->left.value, inwards = spans->left.inwards;
-        if ((int32_t)value < 0) {
-            const int32_t beyond = (int32_t)spans->x_last + 1;
-            while (x_left < beyond && (int32_t)value < 0) {
-                value += inwards;
-                x_left++;
-            }
-        } else {
-            const int32_t outermost = spans->x_first;
-            while (x_left > outermost && (int32_t)(value - inwards) >= 0) {
-                value -= inwards;
-                x_left--;
-            }
-        }
-        spans->left.value = value + spans->left.down;
-        spans->x_left = (int16_t)x_left;
-        value = spans->right.value;
-        inwards = spans->right.inwards;
-        if ((int32_t)value < 0) {
-            const int32_t beyond = (int32_t)spans->x_first - 1;
-            while (x_right > beyond && (int32_t)value < 0) {
-                value += inwards;
-                x_right--;
-            }
-        } else {
-            const int32_t outermost = spans->x_last;
-            while (x_right < outermost && (int32_t)(value - inwards) >= 0) {
-                value -= inwards;
-                x_right++;
-            }
-        }
-        spans->right.value = value + spans->right.down;
-        spans->x_right = (int16_t)x_right;
-        *y = spans->y;
-        spans->y = (int16_t)(spans->y + 1);
-        if (x_left <= x_right) {
-            *x_first = (int16_t)x_left;
-            *x_last = (int16_t)x_right;
+        spans->y = row + 1;
+        const int left = glint_side_move(&spans->left, spans->columns);
+        const int right = glint_side_move(&spans->right, spans->columns);
+        if (left + right < spans->columns) {
+            *y = (int16_t)row;
+            *x_first = (int16_t)(spans->x_first + left);
+            *x_last = (int16_t)(spans->x_last - right);
             return true;
         }
     }
-    return false;
 }
 
 #endif

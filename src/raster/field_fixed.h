@@ -137,9 +137,9 @@ static inline void field_scale(attribute_plane *field, real share_q15)
 #define FIELD_STEPS_EXACT true
 
 /* value + x dx + y dy + xx dx^2 + xy dx dy + yy dy^2 at dx, dy pixels from the anchor, Q30. */
-typedef struct field_square {
+typedef struct field_quadratic {
     uint32_t value, x, y, xx, xy, yy;
-} field_square;
+} field_quadratic;
 
 /* One row of it from a pixel on: the value, its step, and the step's. */
 typedef struct field_row {
@@ -157,8 +157,8 @@ static inline int32_t field_product(const int32_t a[3], const int32_t b[3])
  * too steep for it within `reach` pixels of the anchor: errors are 2^-22 of the square of what M changes by, and 2^-31
  * of the square of the distance.
  */
-static inline bool field_square_set_up(field_square *field, const attribute_plane normal[3], const glint_curve *curve,
-                                       uint8_t tier, uint32_t reach)
+static inline bool field_square_set_up(field_quadratic *field, const attribute_plane normal[3],
+                                       const glint_curve *curve, uint8_t tier, uint32_t reach)
 {
     int32_t value[3], x[3], y[3];
     uint32_t any = 1, farthest = 0;
@@ -213,14 +213,20 @@ static inline bool field_square_set_up(field_square *field, const attribute_plan
     return true;
 }
 
-static inline field_row field_square_at(const field_square *field, const glint_gradients *gradients, int16_t x,
-                                        int16_t y)
+static inline field_row field_quadratic_at(const field_quadratic *field, const glint_gradients *gradients, int16_t x,
+                                           int16_t y)
 {
     const uint32_t dx = (uint32_t)((int32_t)x - gradients->anchor_x), dy = (uint32_t)((int32_t)y - gradients->anchor_y);
     const uint32_t along = field->x + dy * field->xy;
     const field_row row = {field->value + dy * (field->y + dy * field->yy) + dx * (along + dx * field->xx),
                            along + (2 * dx + 1) * field->xx, 2 * field->xx};
     return row;
+}
+
+static inline void field_row_next(field_row *row)
+{
+    row->value += row->step;
+    row->step += row->bend;
 }
 
 /* The polynomial that is left to evaluate at each pixel: of degree 2 in the field; for lower ones the field is the
@@ -266,6 +272,30 @@ static inline uint16_t field_step(int32_t t)
 
 typedef int32_t field_value;
 
+/* What a curve of degree 2 over the triangle has come to, as steps of the ramp (Q19), and as a cosine. */
+static inline int32_t field_curve_step(uint32_t value)
+{
+    return positive_part((int32_t)value);
+}
+
+/* Is a curve through these steps at the corners certainly above 0 all over the triangle? Between it stays above the
+ * least of them, 1/32 here, less the greatest error of a curve, 0.0275 0.69^3. */
+static inline bool field_steps_positive(const real step[3])
+{
+    return step[0] > 1 << 24 && step[1] > 1 << 24 && step[2] > 1 << 24;
+}
+
+static inline int32_t field_curve_cosine(uint32_t value_q28)
+{
+    return (int32_t)value_q28 >> 13;
+}
+
+/* A cosine (Q15) at a corner, for a curve. */
+static inline int32_t field_from_cosine(int32_t cosine)
+{
+    return cosine * (1 << 13);
+}
+
 /* A specular term's factor (Q15) by its share (Q15), to steps of the ramp. */
 static inline int32_t field_gloss(int32_t factor, int32_t share)
 {
@@ -277,6 +307,12 @@ static inline void light_add_channel(light_sum *sum, int channel, int32_t s, int
 {
     const int32_t light = ((s >> 12) * length_q14) >> 12; /* |s| <= 4, the length at most sqrt(2): 2^16 2^14.5 */
     sum->q16[channel] += (uint32_t)positive_part(light);
+}
+
+/* The same of a curve's value (Q26). */
+static inline void light_add_curve(light_sum *sum, int channel, uint32_t value_q26)
+{
+    sum->q16[channel] += (uint32_t)positive_part((int32_t)value_q26) >> 10;
 }
 
 /*
@@ -304,6 +340,18 @@ static inline void field_run_second(uint16_t *at, const uint16_t *end, const uin
         s = (int32_t)((uint32_t)s + share->step_x);
         row.value += row.step;
         row.step += row.bend;
+    } while (at != end);
+}
+
+/* Along a curve of degree 2, which is not negative on the row. */
+static inline void field_run_curve(uint16_t *at, const uint16_t *end, const uint16_t *pixel, field_row row)
+{
+    const uint32_t bend = row.bend;
+    uint32_t value = row.value, slope = row.step;
+    do {
+        *at++ = pixel[value >> 19];
+        value += slope;
+        slope += bend;
     } while (at != end);
 }
 

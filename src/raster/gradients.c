@@ -23,55 +23,77 @@ static const glint_screen_vertex *opposite_to(const glint_gradients *gradients, 
     return gradients->corner[i == 0 ? 0 : 1];
 }
 
+/* dx1 -dy0 + dx0 dy1 < 2^48. */
+static int64_t area_of(const int32_t dx[2], const int32_t dy[2], uint32_t any)
+{
+    if (any >> 20 == 0) {
+        /* up to 256 px, dy in two parts of 10 bits: each sum of two products < 2^31 */
+        const int32_t upper = dx[0] * (dy[1] >> 10) - dx[1] * (dy[0] >> 10);
+        const int32_t lower = dx[0] * (dy[1] & 1023) - dx[1] * (dy[0] & 1023);
+        return (int64_t)upper * 1024 + lower;
+    }
+    return (int64_t)dx[0] * dy[1] - (int64_t)dx[1] * dy[0];
+}
+
+/* d r / 2^31 2^-down, rounded, for |d| <= 2^30 and 2^30 <= r < 2^31 in halves. */
+static int32_t times(int32_t d, int32_t r_high, int32_t r_low, int down)
+{
+    const int32_t d_high = high_half(d), d_low = low_half(d);
+    /* at most 2^14 2^15 + 2^15 2^15; the product of the low halves, left out, is at most 1/2 */
+    const int32_t cross = d_high * r_low + d_low * r_high;
+    const int32_t product = d_high * r_high * 2 + (cross >> 15); /* <= 2^30 */
+    return (product + (((int32_t)1 << down) >> 1)) >> down;
+}
+
 void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_vertex *const corner[3],
                             const uint8_t order[3])
 {
-    int32_t dx[2], dy[2];
-    uint32_t any = 0;
-    for (int i = 0; i < 3; i++) {
-        gradients->corner[i] = corner[order[i]];
-    }
-    for (int i = 0; i < 2; i++) {
-        const glint_screen_vertex *from = opposite_from(gradients, i), *to = opposite_to(gradients, i);
-        dx[i] = to->x - from->x; /* < 2^24 */
-        dy[i] = to->y - from->y;
-        GLINT_TRACE("gradient difference q12", dx[i]);
-        GLINT_TRACE("gradient difference q12", dy[i]);
-        any |= magnitude32(dx[i]) | magnitude32(dy[i]);
-    }
-    gradients->area = (int64_t)dx[1] * -dy[0] + (int64_t)dx[0] * dy[1]; /* < 2^48 */
+    const glint_screen_vertex *const a = corner[order[0]], *const b = corner[order[1]], *const c = corner[order[2]];
+    /* as opposite_from() and opposite_to() have them; < 2^24 */
+    const int32_t dx[2] = {a->x - c->x, b->x - a->x}, dy[2] = {a->y - c->y, b->y - a->y};
+    const uint32_t any = magnitude32(dx[0]) | magnitude32(dy[0]) | magnitude32(dx[1]) | magnitude32(dy[1]);
+    GLINT_TRACE("gradient difference q12", dx[0]);
+    GLINT_TRACE("gradient difference q12", dy[0]);
+    GLINT_TRACE("gradient difference q12", dx[1]);
+    GLINT_TRACE("gradient difference q12", dy[1]);
+    gradients->corner[0] = a;
+    gradients->corner[1] = b;
+    gradients->corner[2] = c;
+    gradients->area = area_of(dx, dy, any);
     GLINT_TRACE("gradient area q24", gradients->area);
-    const int area_bits = gradients->area > 0 ? bit_length64((uint64_t)gradients->area) : 0;
+    gradients->sliver = true;
+    if (gradients->area <= 0) {
+        return;
+    }
+    /* area = upper 2^(area_bits-32) with a leading one */
+    int area_bits;
+    const uint32_t upper = normalize64((uint64_t)gradients->area, &area_bits);
     const int bits = 32 - clz32(any); /* of the longest side, <= 24 */
     /* |gradient| < 2^excess per pixel */
     const int excess = bits + GLINT_FINE_BITS - area_bits + 1;
     /*
      * The depth, at most 2 range 2^(excess - 8) beyond the corners' range, has to stay within the margin of
-     * GLINT_DEPTH_BIAS (2^20), half of which is left for rounding.
+     * GLINT_DEPTH_BIAS (2^20), half of which is left for rounding: range < 2^(26 - excess). No range has 31 bits.
      */
-    const int range_bits = 32 - clz32((uint32_t)depth_range(gradients));
-    gradients->sliver = area_bits == 0 || excess > 0 || range_bits + excess - 7 > 19;
-    if (gradients->sliver) {
+    if (excess > 0 || (excess > -5 && depth_range(gradients) >> (26 - excess) != 0)) {
         return;
     }
-    gradients->anchor_x = (int16_t)(gradients->corner[0]->x >> GLINT_FINE_BITS);
-    gradients->anchor_y = (int16_t)(gradients->corner[0]->y >> GLINT_FINE_BITS);
-    gradients->offset_x = (int16_t)(GLINT_FINE / 2 - (gradients->corner[0]->x & (GLINT_FINE - 1)));
-    gradients->offset_y = (int16_t)(GLINT_FINE / 2 - (gradients->corner[0]->y & (GLINT_FINE - 1)));
-    /* area = a 2^(area_bits-32) with a normalised; 1/area = r 2^(-30-area_bits), r < 2^31 */
-    const uint32_t a =
-        (uint32_t)(area_bits > 32 ? gradients->area >> (area_bits - 32) : gradients->area << (32 - area_bits));
-    const int32_t r = (int32_t)glint_reciprocal_q31(a);
-    /* a side, brought to 30 bits, times r: d r 2^(30 - bits - 32); d / area per 1/4096 px, in Q30 per px, is that times
+    gradients->sliver = false;
+    gradients->anchor_x = (int16_t)(a->x >> GLINT_FINE_BITS);
+    gradients->anchor_y = (int16_t)(a->y >> GLINT_FINE_BITS);
+    gradients->offset_x = (int16_t)(GLINT_FINE / 2 - (a->x & (GLINT_FINE - 1)));
+    gradients->offset_y = (int16_t)(GLINT_FINE / 2 - (a->y & (GLINT_FINE - 1)));
+    /* 1/area = r 2^(-30-area_bits), r < 2^31 */
+    const int32_t r = (int32_t)glint_reciprocal_narrow_q31(upper), r_low = low_half(r);
+    const int32_t r_high = (int32_t)(((uint32_t)r + 0x8000u) >> 16); /* 2^15 at most */
+    /* a side, brought to 30 bits, times r: d r 2^(30 - bits - 31); d / area per 1/4096 px, in Q30 per px, is that times
      * 2^-down */
-    const int down = area_bits - bits - GLINT_FINE_BITS - 2; /* >= -1 by the limit on excess */
+    const int up = 30 - bits, down = area_bits - bits - GLINT_FINE_BITS - 1; /* 0..12 by the limit on excess */
     for (int i = 0; i < 2; i++) {
-        const int32_t x = shift_round32(multiply_high_s32(-dy[i] * ((int32_t)1 << (30 - bits)), r), down);
-        GLINT_TRACE("gradient", x);
-        gradients->x[i] = x;
-        const int32_t y = shift_round32(multiply_high_s32(dx[i] * ((int32_t)1 << (30 - bits)), r), down);
-        GLINT_TRACE("gradient", y);
-        gradients->y[i] = y;
+        gradients->x[i] = times((int32_t)((uint32_t)-dy[i] << up), r_high, r_low, down);
+        GLINT_TRACE("gradient", gradients->x[i]);
+        gradients->y[i] = times((int32_t)((uint32_t)dx[i] << up), r_high, r_low, down);
+        GLINT_TRACE("gradient", gradients->y[i]);
     }
 }
 

@@ -4,12 +4,12 @@
  *
  * Scaling and overflow: corner values lie within +-2^29 (depth: 0..2^30). A step may be large for a thin triangle, and
  * products of steps and distances may pass 2^32, but arithmetic is modulo 2^32 and the value at any pixel inside lies
- * within the corners' range (a sixteenth beyond, see gradients.h), so the result is right. Rounding: a gradient of the
- * barycentric coordinates errs by at most 2 units of its last bit and a relative 2^-27.8, so that steps of two of them
- * err by 4; the upper halves of two products, brought down by at most 2^2, by 8, and rounding by 1/2. So at n pixels
- * (in x plus y) from the anchor the value errs by at most 12.5 n + 8 units of 2^-30: 2^-14.3 of the range across the
- * largest display. Differences of corner values are brought up to 30 bits first, so less for smaller ones. Since a
- * value depends on the pixel alone, not on the path to it, bands and spans may start anywhere.
+ * within the corners' range (a sixteenth beyond, see gradients.h), so the result is right. Rounding: gradients of the
+ * barycentric coordinates err by at most 2 units of their last bit, and all of them by one relative 2^-28.3, the
+ * reciprocal's. So steps of two of them err by 4 units; products without their low halves (plane.c) by 2, rounding down
+ * by 1; and at n pixels (in x plus y) from the anchor the value errs by at most 7 n + 8 units of 2^-30, and 4 for the
+ * reciprocal: 2^-15.1 of the range across the largest display, however small the corners' differences. Since a value
+ * depends on the pixel alone, not on the path to it, bands and spans may start anywhere.
  */
 #ifndef GLINT_RASTER_PLANE_H
 #define GLINT_RASTER_PLANE_H

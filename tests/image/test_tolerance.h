@@ -440,7 +440,7 @@ static uint32_t check_scene(const char *name, const glint_scene *scene, uint16_t
 
 static void print_totals(void)
 {
-    static const char *const tiers[GLINT_TIERS] = {"unlit", "flat", "gouraud", "q1", "q2", "exact"};
+    static const char *const tiers[GLINT_TIERS] = {"unlit", "flat", "gouraud", "curved", "q1", "q2", "exact"};
     for (int i = 0; i < SETTINGS; i++) {
         print_message("%-6s pixels, greatest error, greatest observed/promised:", settings[i].name);
         for (int tier = 0; tier < GLINT_TIERS; tier++) {
@@ -473,7 +473,7 @@ static void check_medians(void)
     assert_true(all.moved <= MOVED_SHARE * plain);
     /* each tier has been put to the test, and each tolerance drew some pixels below the exact tier */
     for (int tier = 0; tier < GLINT_TIERS; tier++) {
-        assert_true(all.pixels[tier] > 1000);
+        assert_true(tier == GLINT_TIER_GOURAUD || all.pixels[tier] > 1000); /* which no tolerance chooses */
     }
     for (int i = 0; settings[i].tolerance != 0; i++) {
         assert_true(below_exact(&total[i]) > 1000);

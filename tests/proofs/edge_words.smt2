@@ -18,13 +18,15 @@
 (define-fun centre ((p (_ BitVec PIXEL))) wide (bvadd (bvshl (of-pixel p) #x002) #x002))
 (define-fun e () wide (bvsub (bvmul dx (bvsub (centre py) (of-coordinate y0))) (bvmul dy (bvsub (centre px) (of-coordinate x0)))))
 (define-fun left-or-top () Bool (or (bvslt dy #x000) (and (= dy #x000) (bvsgt dx #x000))))
-(define-fun offset ((v (_ BitVec COORDINATE))) wide (bvsub #x002 (bvand (of-coordinate v) #x003)))
+(define-fun x () wide (bvsub (centre px) (of-coordinate x0))) ; from the edge's beginning to the pixel's centre
+(define-fun y () wide (bvsub (centre py) (of-coordinate y0)))
+(define-fun fraction ((v wide)) wide (bvand v #x003))
+(define-fun whole ((v wide)) word (narrow (bvashr v #x002)))
+(define-fun bias () wide (bvashr (bvsub (bvashr (bvsub dx #x001) #x00b) dy) #x00b))
 (define-fun part () wide
-    (bvashr (bvsub (bvsub (bvmul dx (offset y0)) (bvmul dy (offset x0))) (ite left-or-top #x000 #x001)) #x002))
+    (bvashr (bvadd (bvsub (bvmul dx (fraction y)) (bvmul dy (fraction x))) bias) #x002))
 (define-fun value () word
-    (bvadd (bvsub (bvmul (narrow dx) (narrow (bvsub (of-pixel py) (bvlshr (of-coordinate y0) #x002))))
-                  (bvmul (narrow dy) (narrow (bvsub (of-pixel px) (bvlshr (of-coordinate x0) #x002)))))
-           (narrow part)))
+    (bvadd (bvsub (bvmul (narrow dx) (whole y)) (bvmul (narrow dy) (whole x))) (narrow part)))
 (define-fun zero () word (narrow #x000))
 (assert (not (= (bvsge value zero) (ite left-or-top (bvsge e #x000) (bvsgt e #x000)))))
 (check-sat)

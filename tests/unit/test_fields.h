@@ -144,7 +144,7 @@ static inline long double curve_real(const glint_curve *curve, int degree, long 
 typedef struct triangle_fields {
     long double light[3];
     attribute_plane dot;
-    field_square square[GLINT_CURVE_DEGREES];
+    field_quadratic square[GLINT_CURVE_DEGREES];
     field_curve polynomial[GLINT_CURVE_DEGREES];
     glint_curve curve[GLINT_CURVE_DEGREES];
     bool usable;
@@ -201,7 +201,7 @@ static inline void check_pixel(const field_triangle *t, const triangle_fields *f
                                    dot3(m, f->light)) /
                                  COSINE_ERROR(away, way));
     for (int degree = 1; degree < GLINT_CURVE_DEGREES; degree++) {
-        const field_row row = field_square_at(&f->square[degree], &t->gradients, x, y);
+        const field_row row = field_quadratic_at(&f->square[degree], &t->gradients, x, y);
         const long double at = scaled(field_length(row.value, &f->polynomial[degree], degree == 2), LENGTH_ONE);
         const long double error = fabsl(at - curve_real(&f->curve[degree], degree, 1 - square));
         long double *of_degree = degree == 1 ? &worst->first : &worst->second;
@@ -233,8 +233,8 @@ static inline void check_rows(const field_triangle *t, const triangle_fields *f,
             check_pixel(t, f, between, y, worst);
             check_pixel(t, f, x_last, y, worst);
             if (FIELD_STEPS_EXACT) {
-                field_row at = field_square_at(&f->square[2], &t->gradients, x_first, y);
-                const field_row there = field_square_at(&f->square[2], &t->gradients, between, y);
+                field_row at = field_quadratic_at(&f->square[2], &t->gradients, x_first, y);
+                const field_row there = field_quadratic_at(&f->square[2], &t->gradients, between, y);
                 for (int16_t x = x_first; x < between; x++) {
                     at.value += at.step;
                     at.step += at.bend;

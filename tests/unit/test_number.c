@@ -10,7 +10,8 @@
 #include "number/tables.h"
 
 /* Budgets, as number/fixed.h states them. */
-#define RECIPROCAL_LOG2 (-27.8L)     /* relative */
+#define RECIPROCAL_LOG2 (-27.8L) /* relative */
+#define RECIPROCAL_NARROW_LOG2 (-28.3L)
 #define POWER_RISE_ULP 1             /* of Q15: a greater gap may give that much more */
 #define SINE_ULP 2.0L                /* of Q30 */
 #define SCALED_INVERSE_LOG2 (-27.8L) /* relative */
@@ -88,9 +89,16 @@ static void narrow_products_equal_wide_ones_for(uint32_t a, uint32_t b)
     const int32_t sixteen = (int32_t)(int16_t)(b & 0xffff);
     if (multiply_high_narrow_u32(a, b) != high || multiply_high_u32(a, b) != high ||
         multiply_high_narrow_s32((int32_t)a, (int32_t)b) != signed_high ||
-        multiply_high_s32((int32_t)a, (int32_t)b) != signed_high ||
+        multiply_high_s32((int32_t)a, (int32_t)b) != signed_high || glint_multiply_high_u32(a, b) != high ||
+        glint_multiply_high_s32((int32_t)a, (int32_t)b) != signed_high ||
         multiply_q16((int32_t)a, sixteen) != (int32_t)(((int64_t)(int32_t)a * sixteen) >> 16)) {
         fail_msg("a product of %08x and %08x", a, b);
+    }
+    const uint32_t positive = b & 0x7fffffff;
+    const int32_t mixed_high = (int32_t)(((int64_t)(int32_t)a * (int32_t)positive) >> 32);
+    if (multiply_high_narrow_s32_u31((int32_t)a, positive) != mixed_high ||
+        multiply_high_s32_u31((int32_t)a, positive) != mixed_high || glint_clz32(a) != clz32_search(a)) {
+        fail_msg("a product of %08x and %08x", a, positive);
     }
 }
 
@@ -143,33 +151,42 @@ static void shifts_round_to_nearest_halves_up(void **state)
 }
 
 /* |x r / 2^62 - 1| times 2^62. */
-static uint64_t reciprocal_residual(uint32_t x_q31)
+typedef uint32_t (*reciprocal_routine)(uint32_t x_q31);
+
+static uint64_t reciprocal_residual(reciprocal_routine reciprocal, uint32_t x_q31)
 {
-    const uint32_t r = glint_reciprocal_q31(x_q31);
+    const uint32_t r = reciprocal(x_q31);
     if (r < (uint32_t)1 << 30 || r > 0x7fffffffu) {
         fail_msg("reciprocal of %08x is %08x", x_q31, r);
     }
     return magnitude64((int64_t)((uint64_t)x_q31 * r - ((uint64_t)1 << 62)));
 }
 
-static void reciprocal_keeps_its_bound(void **state)
+static long double worst_reciprocal(reciprocal_routine reciprocal)
 {
     uint64_t worst = 0;
-    (void)state;
     for (uint64_t x = (uint64_t)1 << 31; x < (uint64_t)1 << 32; x += 7) {
-        const uint64_t residual = reciprocal_residual((uint32_t)x);
+        const uint64_t residual = reciprocal_residual(reciprocal, (uint32_t)x);
         worst = residual > worst ? residual : worst;
     }
     for (uint32_t cell = 0; cell <= 64; cell++) {
         for (int64_t near = -3000; near <= 3000; near++) {
             const int64_t x = ((int64_t)1 << 31) + ((int64_t)cell << 25) + near;
             if (x >= (int64_t)1 << 31 && x < (int64_t)1 << 32) {
-                const uint64_t residual = reciprocal_residual((uint32_t)x);
+                const uint64_t residual = reciprocal_residual(reciprocal, (uint32_t)x);
                 worst = residual > worst ? residual : worst;
             }
         }
     }
-    expect_bound_log2("glint_reciprocal_q31, relative", (long double)worst / exp2l(62), RECIPROCAL_LOG2);
+    return (long double)worst / exp2l(62);
+}
+
+static void reciprocals_keep_their_bounds(void **state)
+{
+    (void)state;
+    expect_bound_log2("glint_reciprocal_q31, relative", worst_reciprocal(glint_reciprocal_q31), RECIPROCAL_LOG2);
+    expect_bound_log2("glint_reciprocal_narrow_q31, relative", worst_reciprocal(glint_reciprocal_narrow_q31),
+                      RECIPROCAL_NARROW_LOG2);
 }
 
 static int compare_u32(const void *a, const void *b)
@@ -387,7 +404,7 @@ int main(void)
         numeric_test(signs_are_taken_off_and_put_back),
         numeric_test(narrow_products_equal_wide_ones),
         numeric_test(shifts_round_to_nearest_halves_up),
-        numeric_test(reciprocal_keeps_its_bound),
+        numeric_test(reciprocals_keep_their_bounds),
         numeric_test(power_keeps_its_bound),
         numeric_test(power_falls_with_the_gap),
         numeric_test(sine_and_cosine_keep_their_bound),

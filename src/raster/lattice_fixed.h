@@ -1,0 +1,258 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Polynomials on the screen through values at points of a triangle, in fixed point: of degree 2 through those at the
+ * corners and the middles of the edges, of degree 3 through those at the corners, the thirds of the edges and the
+ * centroid.
+ *
+ * In the barycentric coordinates b1, b2 of corners 1 and 2 the coefficients are small combinations of the values; and
+ * on the screen b1 and b2 are linear, see gradients.h. All arithmetic is modulo 2^32 like that of plane.h: a value
+ * inside the triangle is right, and does not depend on where the steps to it began. With values below 2^30 (2^27 for
+ * the degree 3), coefficients are below 2^31. Each coefficient on the screen is rounded to one unit (a product before
+ * it, cut to 30 bits and more, costs less), so n = |dx| + |dy| pixels from the anchor a polynomial errs by at most n^2
+ * / 2 + 3 n + 4 units, or n^3 / 6 + n^2 + 8 n + 16.
+ */
+#ifndef GLINT_RASTER_LATTICE_FIXED_H
+#define GLINT_RASTER_LATTICE_FIXED_H
+
+#include "raster/field_fixed.h"
+
+/* Gradients of b1 and b2, Q(30 + up), and of b1^2, b1 b2, b2^2, Q(30 + 2 up), halved where they are of one direction.
+ */
+typedef struct lattice_gradients {
+    int32_t x[2], y[2];
+    int32_t xx[3], xy[3], yy[3];
+    int up;
+    int16_t offset_x, offset_y; /* from corner 0 to the anchor's centre, 1/4096 px */
+} lattice_gradients;
+
+static inline void lattice_prepare(lattice_gradients *to, const glint_gradients *from)
+{
+    const uint32_t any =
+        magnitude32(from->x[0]) | magnitude32(from->x[1]) | magnitude32(from->y[0]) | magnitude32(from->y[1]) | 1;
+    to->up = clz32(any) < 2 ? 0 : clz32(any) - 2; /* all below 2^30 in magnitude */
+    for (int i = 0; i < 2; i++) {
+        to->x[i] = (int32_t)((uint32_t)from->x[i] << to->up);
+        to->y[i] = (int32_t)((uint32_t)from->y[i] << to->up);
+    }
+    const int32_t x1 = 2 * to->x[0], x2 = 2 * to->x[1], y1 = 2 * to->y[0], y2 = 2 * to->y[1];
+    to->xx[0] = multiply_high_s32(x1, x1);
+    to->xx[1] = multiply_high_s32(x1, x2);
+    to->xx[2] = multiply_high_s32(x2, x2);
+    to->xy[0] = 2 * multiply_high_s32(x1, y1);
+    to->xy[1] = multiply_high_s32(x1, y2) + multiply_high_s32(x2, y1);
+    to->xy[2] = 2 * multiply_high_s32(x2, y2);
+    to->yy[0] = multiply_high_s32(y1, y1);
+    to->yy[1] = multiply_high_s32(y1, y2);
+    to->yy[2] = multiply_high_s32(y2, y2);
+    to->offset_x = from->offset_x;
+    to->offset_y = from->offset_y;
+}
+
+/* a1 b1 + a2 b2 per pixel, and the second-order terms a[0] b1^2 + a[1] b1 b2 + a[2] b2^2: in the unit of a */
+static inline uint32_t lattice_first(int32_t a1, int32_t a2, const int32_t gradient[2], int up)
+{
+    return (uint32_t)shift_round32(multiply_high_s32(a1, gradient[0]) + multiply_high_s32(a2, gradient[1]), up - 2);
+}
+
+static inline uint32_t lattice_second(const int32_t a[3], const int32_t gradient[3], int down)
+{
+    return (uint32_t)shift_round32(multiply_high_s32(a[0], gradient[0]) + multiply_high_s32(a[1], gradient[1]) +
+                                       multiply_high_s32(a[2], gradient[2]),
+                                   down);
+}
+
+/* floor(step offset / 2^12) for |offset| <= 2^11 */
+static inline uint32_t lattice_part(uint32_t step, int16_t offset)
+{
+    return (uint32_t)(((int32_t)step >> GLINT_FINE_BITS) * offset +
+                      (((int32_t)(step & (GLINT_FINE - 1)) * (int32_t)offset) >> GLINT_FINE_BITS));
+}
+
+/* 1/|M| in the middle of an edge with M = u n at its ends, Q15: |2 M|^2 = (u + v)^2 - u v D, with D of bound.h. Below
+ * sqrt(2). */
+static inline real lattice_inverse_length(uint16_t u_q15, uint16_t v_q15, uint32_t chord_q16)
+{
+    const uint32_t sum = (uint32_t)u_q15 + v_q15; /* 2^16 at most, whose square wraps to 0 */
+    const uint32_t square_q30 = sum * sum - multiply_high_u32((uint32_t)u_q15 * v_q15, chord_q16 << 16);
+    return (real)glint_inverse_root_q16(square_q30 == 0 ? UINT32_MAX : square_q30);
+}
+
+/* How many bits smaller than 1/2 per pixel the gradients are. */
+static inline int lattice_spare_bits(const lattice_gradients *gradients)
+{
+    return gradients->up;
+}
+
+static inline real lattice_weigh(real value, uint16_t weight_q15)
+{
+    return weight_q15 == 32768 ? value : value + 2 * multiply_q16(value, (int32_t)weight_q15 - 32768);
+}
+
+/* A cosine, or a sum of cosines by constants, in the middle of an edge. */
+static inline real lattice_middle(real a, uint16_t u_q15, real b, uint16_t v_q15, real inverse_length_q15)
+{
+    const real mean = (lattice_weigh(a, u_q15) + lattice_weigh(b, v_q15)) >> 1;
+    return mean + 2 * multiply_q16(mean, inverse_length_q15 - 32768);
+}
+
+static inline uint32_t lattice_mean(uint32_t sum)
+{
+    return (uint32_t)((int32_t)sum >> 1);
+}
+
+/* `middle`: of the edges from corner 0 to 1, 1 to 2, 2 to 0. */
+static inline void lattice_quadratic(field_quadratic *field, const lattice_gradients *gradients, const real corner[3],
+                                     const real middle[3])
+{
+    const int32_t v = corner[0], v1 = corner[1] - v, v2 = corner[2] - v;
+    const int32_t m1 = middle[0] - v, m12 = middle[1] - v, m2 = middle[2] - v;
+    const int32_t a[3] = {2 * v1 - 4 * m1, 4 * (m12 - m1 - m2), 2 * v2 - 4 * m2};
+    const int32_t a1 = 4 * m1 - v1, a2 = 4 * m2 - v2;
+    const int up = gradients->up;
+    const int16_t offset_x = gradients->offset_x, offset_y = gradients->offset_y;
+    const uint32_t x = lattice_first(a1, a2, gradients->x, up), y = lattice_first(a1, a2, gradients->y, up);
+    field->xx = lattice_second(a, gradients->xx, 2 * up - 2);
+    field->xy = lattice_second(a, gradients->xy, 2 * up - 2);
+    field->yy = lattice_second(a, gradients->yy, 2 * up - 2);
+    /* from corner 0 to the anchor's centre */
+    const uint32_t half_x = lattice_part(field->xx, offset_x), half_y = lattice_part(field->yy, offset_y);
+    const uint32_t cross_x = lattice_part(field->xy, offset_x);
+    field->value = (uint32_t)v + lattice_part(x + half_x, offset_x) + lattice_part(y + half_y + cross_x, offset_y);
+    field->x = x + 2 * half_x + lattice_part(field->xy, offset_y);
+    field->y = y + 2 * half_y + cross_x;
+}
+
+/* A polynomial of degree 3 as the sum of c[i][j] C(dx, i) C(dy, j), C the binomial coefficient, dx and dy from the
+ * pixel that holds the centroid. */
+typedef struct field_cubic {
+    uint32_t value, x, y, xx, xy, yy, xxx, xxy, xyy, yyy;
+} field_cubic;
+
+/* That pixel, and the way from the centroid to its centre, 1/4096 px. */
+typedef struct lattice_centre {
+    int16_t x, y, offset_x, offset_y;
+} lattice_centre;
+
+static inline lattice_centre lattice_centre_of(const glint_screen_vertex *const corner[3])
+{
+    /* the guard band keeps the sums below 2^25 */
+    const int32_t x = (corner[0]->x + corner[1]->x + corner[2]->x) / 3,
+                  y = (corner[0]->y + corner[1]->y + corner[2]->y) / 3;
+    const lattice_centre centre = {(int16_t)(x >> GLINT_FINE_BITS), (int16_t)(y >> GLINT_FINE_BITS),
+                                   (int16_t)(GLINT_FINE / 2 - (x & (GLINT_FINE - 1))),
+                                   (int16_t)(GLINT_FINE / 2 - (y & (GLINT_FINE - 1)))};
+    return centre;
+}
+
+/* One row of it from a pixel on: the value and its forward differences. */
+typedef struct cubic_row {
+    uint32_t value, step, bend, twist;
+} cubic_row;
+
+/* The ten points of a cubic: corners 0, 1, 2, then on the edges from 0 to 1, 1 to 2, 2 to 0 at 1/3 and 2/3, then the
+ * centroid. */
+#define LATTICE_POINTS 10
+
+/* How many bits more than the values a cubic has. */
+#define CUBIC_FINER 4
+
+/* Of values below 2^26. */
+static inline void lattice_cubic(field_cubic *field, const lattice_gradients *gradients, const lattice_centre *centre,
+                                 const int32_t value[LATTICE_POINTS])
+{
+    const int32_t v = value[0], v1 = value[1] - v, v2 = value[2] - v;
+    const int32_t p1 = value[3] - v, q1 = value[4] - v, q2 = value[7] - v, p2 = value[8] - v;
+    /* Along the edges from corner 0 the polynomial is a cubic of v, p, q and v1 or v2; what is left is b1 b2 (s + t1 b1
+     * + t2 b2), which is c at the centroid and c1 and c2 on the edge opposite. Taken about the centroid: */
+    const int32_t c = value[9] - v - p1 - p2, c1 = value[5] - v - q1 - p2, c2 = value[6] - v - p1 - q2;
+    const int32_t a1 = 3 * (c1 - p1) + 6 * q1 - v1, a2 = 3 * (c2 - p2) + 6 * q2 - v2; /* all twice */
+    const int32_t second[3] = {9 * (q1 + c1 - 2 * (p1 + c)), 9 * (c1 + c2 - 2 * c), 9 * (q2 + c2 - 2 * (p2 + c))};
+    const int32_t third[4] = {81 * (p1 - q1) + 27 * v1, 27 * (c1 - 2 * c), 27 * (c2 - 2 * c), 81 * (p2 - q2) + 27 * v2};
+    const int up = gradients->up;
+    const int16_t offset_x = centre->offset_x, offset_y = centre->offset_y;
+    const uint32_t x_0 = lattice_first(a1, a2, gradients->x, up + 1 - CUBIC_FINER);
+    const uint32_t y_0 = lattice_first(a1, a2, gradients->y, up + 1 - CUBIC_FINER);
+    /* derivatives: a second-order term a b1^2 has 2 a b1'^2 */
+    const uint32_t xx_0 = lattice_second(second, gradients->xx, 2 * up - 2 - CUBIC_FINER);
+    const uint32_t xy_0 = lattice_second(second, gradients->xy, 2 * up - 1 - CUBIC_FINER);
+    const uint32_t yy_0 = lattice_second(second, gradients->yy, 2 * up - 2 - CUBIC_FINER);
+    /* of the third-order terms along x, p[0] b1^2 + p[1] b1 b2 + p[2] b2^2, and along y; the outer terms are thrice
+     * what they are, for their derivatives */
+    int32_t p[3], q[3];
+    for (int k = 0; k < 3; k++) {
+        const int32_t times = k == 1 ? 2 : 1;
+        p[k] =
+            (multiply_high_s32(third[k], gradients->x[0]) + multiply_high_s32(third[k + 1], gradients->x[1])) * times;
+        q[k] =
+            (multiply_high_s32(third[k], gradients->y[0]) + multiply_high_s32(third[k + 1], gradients->y[1])) * times;
+    }
+    const uint32_t xxx = lattice_second(p, gradients->xx, 3 * up - 4 - CUBIC_FINER);
+    const uint32_t xxy = lattice_second(p, gradients->xy, 3 * up - 3 - CUBIC_FINER);
+    const uint32_t xyy = lattice_second(p, gradients->yy, 3 * up - 4 - CUBIC_FINER);
+    const uint32_t yyy = lattice_second(q, gradients->yy, 3 * up - 4 - CUBIC_FINER);
+    /* From the centroid to the pixel's centre: a derivative's change is its own derivative's mean times the way, but
+     * for what the third derivative changes the value by in half a pixel: at most 1/96 of it. */
+    const uint32_t xx = xx_0 + lattice_part(xxx, offset_x) + lattice_part(xxy, offset_y);
+    const uint32_t xy = xy_0 + lattice_part(xxy, offset_x) + lattice_part(xyy, offset_y);
+    const uint32_t yy = yy_0 + lattice_part(xyy, offset_x) + lattice_part(yyy, offset_y);
+    const uint32_t x = x_0 + lattice_mean(lattice_part(xx_0 + xx, offset_x) + lattice_part(xy_0 + xy, offset_y));
+    const uint32_t y = y_0 + lattice_mean(lattice_part(xy_0 + xy, offset_x) + lattice_part(yy_0 + yy, offset_y));
+    field->value = ((uint32_t)value[9] << CUBIC_FINER) +
+                   lattice_mean(lattice_part(x_0 + x, offset_x) + lattice_part(y_0 + y, offset_y));
+    /* from derivatives to differences: n^2 / 2 = C(n, 2) + n / 2, n^3 / 6 = C(n, 3) + C(n, 2) + n / 6 */
+    const int32_t sixth_q16 = 10923;
+    field->x = x + lattice_mean(xx) + (uint32_t)multiply_q16((int32_t)xxx, sixth_q16);
+    field->y = y + lattice_mean(yy) + (uint32_t)multiply_q16((int32_t)yyy, sixth_q16);
+    field->xx = xx + xxx;
+    field->xy = xy + lattice_mean(xxy + xyy);
+    field->yy = yy + yyy;
+    field->xxx = xxx;
+    field->xxy = xxy;
+    field->xyy = xyy;
+    field->yyy = yyy;
+}
+
+/* C(n, 2) and, of that, C(n, 3): modulo 2^32 the third part of a multiple of 3 is exact. */
+static inline uint32_t choose_two(uint32_t n)
+{
+    return (uint32_t)((int32_t)(n * (n - 1)) >> 1);
+}
+
+static inline uint32_t choose_three(uint32_t two, uint32_t n)
+{
+    return two * (n - 2) * 0xaaaaaaabu;
+}
+
+static inline cubic_row field_cubic_at(const field_cubic *field, const lattice_centre *centre, int16_t x, int16_t y)
+{
+    const uint32_t n = (uint32_t)((int32_t)x - centre->x), m = (uint32_t)((int32_t)y - centre->y);
+    const uint32_t n2 = choose_two(n), m2 = choose_two(m);
+    const uint32_t step = field->x + m * field->xy + m2 * field->xyy, bend = field->xx + m * field->xxy;
+    const cubic_row row = {field->value + m * field->y + m2 * field->yy + choose_three(m2, m) * field->yyy + n * step +
+                               n2 * bend + choose_three(n2, n) * field->xxx,
+                           step + n * bend + n2 * field->xxx, bend + n * field->xxx, field->xxx};
+    return row;
+}
+
+static inline void cubic_row_next(cubic_row *row)
+{
+    row->value += row->step;
+    row->step += row->bend;
+    row->bend += row->twist;
+}
+
+/* Is the row certainly above a limit at `count` pixels? Its second difference is linear: between its ends the row
+ * stays above the lesser end less count^2 / 8 of the greatest one. */
+static inline bool cubic_row_above(const cubic_row *row, uint16_t count, int32_t limit)
+{
+    const uint32_t n = (uint32_t)count - 1, n2 = choose_two(n), n3 = choose_three(n2, n);
+    const int32_t first = (int32_t)row->value;
+    const int32_t last = (int32_t)(row->value + n * row->step + n2 * row->bend + n3 * row->twist);
+    const uint32_t bend_first = magnitude32((int32_t)row->bend),
+                   bend_last = magnitude32((int32_t)(row->bend + n * row->twist));
+    const uint32_t bend = bend_first > bend_last ? bend_first : bend_last;
+    const int32_t least = (first < last ? first : last) - limit;
+    return least > 0 && (bend >> 23 == 0) && bend * n * n / 8 < (uint32_t)least; /* n < 2^4 */
+}
+
+#endif
