@@ -181,7 +181,10 @@ uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_
         return UINT32_MAX;
     }
     const uint32_t square_q16 = (turn_q16 * turn_q16 >> 16) + 1;
-    const uint32_t pair_q14 = (view_q16 * ((turn_q16 + view_q16) >> 1) >> 17) + 1; /* <= 0.6 */
+    /* the polynomial's error: view^2 0.0087 (turn^2 + 3/4 turn view + 11/16 view^2) */
+    const uint32_t across_q16 = (view_q16 * ((3 * turn_q16 >> 2) + (11 * view_q16 >> 4)) >> 16) + 1; /* < 0.5 */
+    const uint32_t bent_q28 =
+        (((view_q16 * view_q16 >> 16) + 1) * ((square_q16 + across_q16) >> 2) >> 2) * 9 / 1024 + 1;
     /* units of each term: 1/2 + 3 2^(8 - 3 up), 1/2 + 3 2^(6 - 2 up), 1/2 + 2 2^(5 - up) */
     const uint32_t cube = (n + 3) * n * n / 6, square = n * n / 2 + 1;
     const uint32_t rounding = size->up == 2   ? 13 * cube + 13 * square + 17 * n
@@ -190,9 +193,8 @@ uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_
     if (rounding >> (28 - size->down) != 0) {
         return UINT32_MAX;
     }
-    /* 1/160 pair^2; a unit is 2^(down - 29) / 9, below 2^(down - 28) / 16 */
-    const uint32_t gap_q28 =
-        (pair_q14 * pair_q14 >> 10) * 13 / 2 + 8 + ((rounding << size->down) >> 4) + (size->end_q28 >> 17) + 32;
+    /* a unit is 2^(down - 29) / 9, below 2^(down - 28) / 16 */
+    const uint32_t gap_q28 = bent_q28 + ((rounding << size->down) >> 4) + (size->end_q28 >> 17) + 32;
     const uint32_t of_gap = multiply_high_u32(gloss << 4, gap_q28) + 1;
     /* 0.018 turn^4 + 1e-4, as Q22 */
     const uint32_t fourth_q16 = (square_q16 * square_q16 >> 16) + 1;

@@ -278,6 +278,45 @@ static inline int32_t field_curve_step(uint32_t value)
     return positive_part((int32_t)value);
 }
 
+/* A field's column at the anchor, from row to row; and the row from a pixel on. */
+typedef struct field_column {
+    uint32_t value, down, along, along_down, bend, fall;
+} field_column;
+
+static inline field_column field_column_at(const field_quadratic *field, const glint_gradients *gradients, int16_t y)
+{
+    const uint32_t dy = (uint32_t)((int32_t)y - gradients->anchor_y);
+    const field_column column = {field->value + dy * (field->y + dy * field->yy),
+                                 field->y + (2 * dy + 1) * field->yy,
+                                 field->x + dy * field->xy,
+                                 field->xy,
+                                 field->xx,
+                                 2 * field->yy};
+    return column;
+}
+
+static inline void field_column_next(field_column *column)
+{
+    column->value += column->down;
+    column->down += column->fall;
+    column->along += column->along_down;
+}
+
+static inline field_row field_column_row(const field_column *column, int32_t dx)
+{
+    const uint32_t n = (uint32_t)dx, bend = n * column->bend;
+    const field_row row = {column->value + n * (column->along + bend), column->along + 2 * bend + column->bend,
+                           2 * column->bend};
+    return row;
+}
+
+static inline void field_row_skip(field_row *row, uint16_t count)
+{
+    const uint32_t n = count;
+    row->value += n * row->step + (n * (n - 1) >> 1) * row->bend;
+    row->step += n * row->bend;
+}
+
 /* Is a curve through these steps at the corners certainly above 0 all over the triangle? Between it stays above the
  * least of them, 1/32 here, less the greatest error of a curve, 0.0275 0.69^3. */
 static inline bool field_steps_positive(const real step[3])
@@ -348,11 +387,26 @@ static inline void field_run_curve(uint16_t *at, const uint16_t *end, const uint
 {
     const uint32_t bend = row.bend;
     uint32_t value = row.value, slope = row.step;
-    do {
+    while (end - at >= 4) {
+        at[0] = pixel[value >> 19];
+        value += slope;
+        slope += bend;
+        at[1] = pixel[value >> 19];
+        value += slope;
+        slope += bend;
+        at[2] = pixel[value >> 19];
+        value += slope;
+        slope += bend;
+        at[3] = pixel[value >> 19];
+        value += slope;
+        slope += bend;
+        at += 4;
+    }
+    while (at != end) {
         *at++ = pixel[value >> 19];
         value += slope;
         slope += bend;
-    } while (at != end);
+    }
 }
 
 #endif

@@ -153,6 +153,40 @@ static inline float field_curve_step(float value)
     return value > 0.0f ? value : 0.0f;
 }
 
+typedef struct field_column {
+    const field_quadratic *field;
+    float dy;
+} field_column;
+
+/* Rows are taken afresh: sums of steps would depend on where they began. */
+static inline field_column field_column_at(const field_quadratic *field, const glint_gradients *gradients, int16_t y)
+{
+    const field_column column = {field, (float)(y - gradients->anchor_y)};
+    return column;
+}
+
+static inline void field_column_next(field_column *column)
+{
+    column->dy += 1.0f;
+}
+
+static inline field_row field_column_row(const field_column *column, int32_t dx)
+{
+    const field_quadratic *const field = column->field;
+    const float n = (float)dx, along = field->x + column->dy * field->xy;
+    const field_row row = {field->value + column->dy * (field->y + column->dy * field->yy) +
+                               n * (along + n * field->xx),
+                           along + (2.0f * n + 1.0f) * field->xx, 2.0f * field->xx};
+    return row;
+}
+
+static inline void field_row_skip(field_row *row, uint16_t count)
+{
+    const float n = (float)count;
+    row->value += n * row->step + 0.5f * n * (n - 1.0f) * row->bend;
+    row->step += n * row->bend;
+}
+
 /* Is a curve through these steps at the corners certainly above 0 all over the triangle? Between it stays above the
  * least of them, 1/32 here, less the greatest error of a curve, 0.0275 0.69^3. */
 static inline bool field_steps_positive(const real step[3])

@@ -252,7 +252,16 @@ static inline bool cubic_row_above(const cubic_row *row, uint16_t count, int32_t
                    bend_last = magnitude32((int32_t)(row->bend + n * row->twist));
     const uint32_t bend = bend_first > bend_last ? bend_first : bend_last;
     const int32_t least = (first < last ? first : last) - limit;
-    return least > 0 && (bend >> 23 == 0) && bend * n * n / 8 < (uint32_t)least; /* n < 2^4 */
+    /* n < 2^4 and below 2^23, or n < 2^6 and below 2^19 */
+    return least > 0 && n < 64 && bend >> (n < 16 ? 23 : 19) == 0 && bend * n * n / 8 < (uint32_t)least;
+}
+
+static inline void cubic_row_skip(cubic_row *row, uint16_t count)
+{
+    const uint32_t n = count, n2 = choose_two(n);
+    row->value += n * row->step + n2 * row->bend + choose_three(n2, n) * row->twist;
+    row->step += n * row->bend + n2 * row->twist;
+    row->bend += n * row->twist;
 }
 
 #endif

@@ -174,4 +174,12 @@ static inline bool cubic_row_above(const cubic_row *row, uint16_t count, float l
     return 0.125f * bend * n * n < least;
 }
 
+static inline void cubic_row_skip(cubic_row *row, uint16_t count)
+{
+    const float n = (float)count, n2 = 0.5f * n * (n - 1.0f), n3 = n2 * (n - 2.0f) * (1.0f / 3);
+    row->value += n * row->step + n2 * row->bend + n3 * row->twist;
+    row->step += n * row->bend + n2 * row->twist;
+    row->bend += n * row->twist;
+}
+
 #endif
