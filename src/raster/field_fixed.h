@@ -321,7 +321,8 @@ static inline void field_row_skip(field_row *row, uint16_t count)
  * least of them, 1/32 here, less the greatest error of a curve, 0.0275 0.69^3. */
 static inline bool field_steps_positive(const real step[3])
 {
-    return step[0] > 1 << 24 && step[1] > 1 << 24 && step[2] > 1 << 24;
+    const int32_t least = (int32_t)1 << 24;
+    return step[0] > least && step[1] > least && step[2] > least;
 }
 
 static inline int32_t field_curve_cosine(uint32_t value_q28)
