@@ -8,7 +8,7 @@
 #include <stdint.h>
 
 /* Upper bounds of what either backend keeps of an object, and of a light for each object. */
-#define GLINT_OBJECT_BYTES 320
+#define GLINT_OBJECT_BYTES 336
 #define GLINT_LIGHT_BYTES 80
 
 /* With a tolerance, this many words more for each object let its material keep a ramp of pixels (RGB565 without dither)

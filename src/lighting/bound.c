@@ -170,8 +170,8 @@ uint32_t glint_bound_curve(uint32_t diffuse, uint32_t turn_q16)
 {
     const uint32_t square_q16 = (turn_q16 * turn_q16 >> 16) + 1; /* turn < 2^16 */
     const uint32_t cube_q16 = (square_q16 * turn_q16 >> 16) + 1;
-    /* 0.0275 = 1802 / 2^16 */
-    return ((multiply_high_u32(diffuse << 8, cube_q16 << 8) + 1) * 1802 >> 16) + 1;
+    /* 0.0262 = 1717 / 2^16 */
+    return ((multiply_high_u32(diffuse << 8, cube_q16 << 8) + 1) * 1717 >> 16) + 1;
 }
 
 uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_t specular, uint32_t turn_q16)
