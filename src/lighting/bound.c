@@ -283,16 +283,20 @@ void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3]
             const uint32_t square_q16 = (edge_q16 * inverse_q12 >> 12) + 1;
             choice->turn_q16 = square_q16 < ONE_Q16 / 2 ? glint_square_root_u32(square_q16 << 16) + 1 : ONE_Q16;
         }
-        if (choice->turn_q16 <= GLINT_TURN_MOST_Q16) {
+        if (choice->turn_q16 + bound->point_turn_q16 <= GLINT_TURN_MOST_Q16) {
             const uint32_t error = HALF_CODE + bound->fixed + 2 * bound->reach + affine +
                                    (bound->left > bound->gloss ? bound->left : bound->gloss) +
-                                   glint_bound_curve(bound->diffuse, choice->turn_q16);
+                                   glint_bound_curve(bound->diffuse - bound->point_diffuse, choice->turn_q16) +
+                                   glint_bound_curve(bound->point_diffuse, choice->turn_q16 + bound->point_turn_q16);
             if (error <= most && error <= UINT16_MAX) {
                 choice->tier = GLINT_TIER_CURVED;
                 choice->promise = (uint16_t)error;
                 return;
             }
         }
+    }
+    if (bound->point_diffuse > 0) {
+        return;
     }
     const uint8_t class = glint_curve_class(y_q16);
     if (class == GLINT_CURVE_CLASSES) {

@@ -164,7 +164,10 @@ uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_
 
 /* What is known of a triangle before it is drawn. */
 typedef struct glint_bound {
-    uint32_t diffuse;     /* 1/256 code: what the lights that reach it can add, the channel with the most */
+    uint32_t diffuse;       /* 1/256 code: what the lights that reach it can add, the channel with the most */
+    uint32_t point_diffuse; /* 1/256 code: the part of it of point lights, */
+    uint32_t
+        point_turn_q16;   /* and the greatest turn of the direction to one: only curves and the exact tier serve them */
     uint32_t turned;      /* 1/256 code: what a turn of the normal by a radian changes at most, highlights included */
     uint32_t left, gloss; /* 1/256 code: highlights where they are left out, and errors of them where they are not */
     uint32_t reach;       /* 1/256 code: rounding of fields by the distance from their anchor */

@@ -310,6 +310,40 @@ static inline bool light_towards(const light_place *light, const surface *at, re
     return difference > whole >> 15 && unit(v, out);
 }
 
+static inline real mean_of(real a, real b)
+{
+    return (a >> 1) + (b >> 1);
+}
+
+/* The longest edge of the triangle of three vectors over the least length on it, squared: Q16, rounded up; UINT32_MAX
+ * above 1/2. A length falls below the corners' by at most a third of the edge, both squared. */
+static inline uint32_t turn_square_q16(const real v0[3], const real v1[3], const real v2[3])
+{
+    const real *const v[3] = {v0, v1, v2};
+    uint32_t any = 0, edge = 0, least = UINT32_MAX;
+    for (int i = 0; i < 3; i++) {
+        any |= magnitude32(v[i][0]) | magnitude32(v[i][1]) | magnitude32(v[i][2]);
+    }
+    const int down = 32 - clz32(any) - 14; /* to 14 bits */
+    if (down < 0) {
+        return UINT32_MAX;
+    }
+    for (int i = 0; i < 3; i++) {
+        const real *const a = v[i], *const b = v[i == 2 ? 0 : i + 1];
+        uint32_t apart = 0, length = 0;
+        for (int k = 0; k < 3; k++) {
+            const int32_t d = (b[k] >> down) - (a[k] >> down), c = a[k] >> down;
+            apart += (uint32_t)(d * d); /* < 3 2^30 */
+            length += (uint32_t)(c * c);
+        }
+        edge = apart > edge ? apart : edge;
+        least = length < least ? length : least;
+    }
+    edge += (edge >> 10) + 256; /* for what the shift cuts */
+    const uint32_t short_q16 = least > edge / 3 ? (least - edge / 3) >> 16 : 0;
+    return short_q16 < 16 || edge >> 15 >= short_q16 ? UINT32_MAX : edge / short_q16 + 1;
+}
+
 /* Folding of lights at one corner: the light's cosine there (Q15) by its share of a ramp, to its steps in Q19 ... */
 static inline void light_fold_step(real *step, real cosine, real share)
 {

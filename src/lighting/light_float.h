@@ -225,6 +225,27 @@ static inline bool light_towards(const light_place *light, const surface *at, re
     return cosine_of(v, v) > cosine_of(at->ray, at->ray) * (limit * limit) && unit(v, out);
 }
 
+static inline real mean_of(real a, real b)
+{
+    return 0.5f * (a + b);
+}
+
+static inline uint32_t turn_square_q16(const real v0[3], const real v1[3], const real v2[3])
+{
+    const real *const v[3] = {v0, v1, v2};
+    float edge = 0.0f, least = cosine_of(v[0], v[0]);
+    for (int i = 0; i < 3; i++) {
+        const real *const a = v[i], *const b = v[i == 2 ? 0 : i + 1];
+        const real d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        const float apart = cosine_of(d, d), length = cosine_of(a, a);
+        edge = apart > edge ? apart : edge;
+        least = length < least ? length : least;
+    }
+    const float short_square = least - edge * (1.0f / 3);
+    const float inverse = short_square > 0.0f ? glint_inverse_root(short_square) : 0.0f;
+    return edge < 0.5f * short_square ? (uint32_t)(edge * inverse * inverse * 65536.0f) + 2 : UINT32_MAX;
+}
+
 static inline void light_fold_step(real *step, real cosine, real share)
 {
     *step += cosine * share;

@@ -20,11 +20,11 @@ typedef struct attribute_weights {
 /* The shift that brings the triangle's greatest inverse depth to 30 bits. */
 typedef int inverse_scale;
 
-static inline inverse_scale inverse_prepare(const glint_gradients *gradients)
+static inline inverse_scale inverse_prepare(const glint_screen_vertex *const corner[3])
 {
     uint32_t any = 1;
     for (int i = 0; i < 3; i++) {
-        any |= (uint32_t)(gradients->corner[i]->depth_q30 - GLINT_DEPTH_BIAS);
+        any |= (uint32_t)(corner[i]->depth_q30 - GLINT_DEPTH_BIAS);
     }
     return clz32(any) - 2;
 }
@@ -128,6 +128,19 @@ static inline void surface_set_ray(surface *at, const pixel_rays *rays, int16_t 
         GLINT_TRACE("ray", at->ray[k]);
     }
     at->ray_fraction = rays->fraction;
+}
+
+/* The ray through a vertex: from that through its pixel's centre, the rest of the way in 1/4096 px. */
+static inline void surface_set_vertex_ray(surface *at, const pixel_rays *rays, const glint_screen_vertex *vertex)
+{
+    const int32_t x = vertex->x - GLINT_FINE / 2, y = vertex->y - GLINT_FINE / 2;
+    const int32_t part_x = x & (GLINT_FINE - 1), part_y = y & (GLINT_FINE - 1);
+    surface_set_ray(at, rays, (int16_t)(x >> GLINT_FINE_BITS), (int16_t)(y >> GLINT_FINE_BITS));
+    for (int k = 0; k < 3; k++) {
+        at->ray[k] += (rays->v[1][k] >> GLINT_FINE_BITS) * part_x + (rays->v[2][k] >> GLINT_FINE_BITS) * part_y +
+                      (((rays->v[1][k] & (GLINT_FINE - 1)) * part_x + (rays->v[2][k] & (GLINT_FINE - 1)) * part_y) >>
+                       GLINT_FINE_BITS);
+    }
 }
 
 static inline void surface_next_ray(surface *at, const pixel_rays *rays)

@@ -19,9 +19,9 @@ typedef struct attribute_weights {
 
 typedef char inverse_scale; /* floats keep their precision by themselves */
 
-static inline inverse_scale inverse_prepare(const glint_gradients *gradients)
+static inline inverse_scale inverse_prepare(const glint_screen_vertex *const corner[3])
 {
-    (void)gradients;
+    (void)corner;
     return 0;
 }
 
@@ -108,6 +108,15 @@ static inline void surface_set_ray(surface *at, const pixel_rays *rays, int16_t 
 {
     for (int k = 0; k < 3; k++) {
         at->ray[k] = rays->v[0][k] + (float)x * rays->v[1][k] + (float)y * rays->v[2][k];
+    }
+}
+
+static inline void surface_set_vertex_ray(surface *at, const pixel_rays *rays, const glint_screen_vertex *vertex)
+{
+    const float x = (float)(vertex->x - GLINT_FINE / 2) * (1.0f / GLINT_FINE);
+    const float y = (float)(vertex->y - GLINT_FINE / 2) * (1.0f / GLINT_FINE);
+    for (int k = 0; k < 3; k++) {
+        at->ray[k] = rays->v[0][k] + x * rays->v[1][k] + y * rays->v[2][k];
     }
 }
 

@@ -336,6 +336,11 @@ static inline int32_t field_from_cosine(int32_t cosine)
     return cosine * (1 << 13);
 }
 
+static inline int32_t field_to_cosine(int32_t cosine_q28)
+{
+    return (cosine_q28 + (1 << 12)) >> 13;
+}
+
 /* A specular term's factor (Q15) by its share (Q15), to steps of the ramp. */
 static inline int32_t field_gloss(int32_t factor, int32_t share)
 {

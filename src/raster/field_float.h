@@ -204,6 +204,11 @@ static inline float field_from_cosine(float cosine)
     return cosine;
 }
 
+static inline float field_to_cosine(float cosine)
+{
+    return cosine;
+}
+
 static inline void light_add_curve(light_sum *sum, int channel, float value)
 {
     sum->channel[channel] += value > 0.0f ? value : 0.0f;
