@@ -39,7 +39,7 @@ const char options_usage[] =
     "  --turn DEGREES     turns the objects about the vertical\n"
     "  --report FILE      counts of the frame, as JSON\n"
     "  --tiers FILE       how each pixel was shaded, PPM or PNG: unlit dark grey, flat light grey, gouraud blue,\n"
-    "                     q1 green, q2 yellow, exact red; background black\n"
+    "                     curved cyan, q1 green, q2 yellow, exact red; background black\n"
     "  --promise FILE     the error promised for each pixel, PGM or PNG: 1/16 code a level of grey, rounded up;\n"
     "                     white: 15.9375 codes or more, or none promised; background black\n"
     "  --edges FILE.pgm   contested pixels, for glint-compare --apart (reference only)\n"

@@ -184,9 +184,9 @@ static void write_pgm_header(FILE *file, int width_px, int height_px)
 }
 
 static const uint8_t tier_rgb[][3] = {
-    [GLINT_TIER_UNLIT] = {72, 72, 72}, [GLINT_TIER_FLAT] = {176, 176, 176}, [GLINT_TIER_GOURAUD] = {64, 112, 232},
-    [GLINT_TIER_Q1] = {56, 176, 80},   [GLINT_TIER_Q2] = {248, 216, 56},    [GLINT_TIER_EXACT] = {216, 48, 48},
-    [OBSERVED_BACKGROUND] = {0, 0, 0},
+    [GLINT_TIER_UNLIT] = {72, 72, 72},    [GLINT_TIER_FLAT] = {176, 176, 176}, [GLINT_TIER_GOURAUD] = {64, 112, 232},
+    [GLINT_TIER_CURVED] = {72, 208, 208}, [GLINT_TIER_Q1] = {56, 176, 80},     [GLINT_TIER_Q2] = {248, 216, 56},
+    [GLINT_TIER_EXACT] = {216, 48, 48},   [OBSERVED_BACKGROUND] = {0, 0, 0},
 };
 
 void output_tiers(const observation *seen, picture *image)

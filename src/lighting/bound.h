@@ -19,6 +19,8 @@
 
 #include <glint/quality.h>
 
+#include "number/integer.h"
+
 /* Errors and peaks are in 1/256 code. */
 #define GLINT_CODE_UNITS 256
 
@@ -70,7 +72,7 @@ static inline uint32_t glint_bound_rounding(uint32_t bright, uint32_t terms)
 static inline uint32_t glint_bound_reach(uint32_t bright, uint32_t reach)
 {
     const uint32_t units = reach * reach + 64 * reach; /* of 2^-31; reach < 2^13 */
-    return (uint32_t)(((uint64_t)bright * units) >> 31) + 1;
+    return multiply_high_u32(bright << 1, units) + 1;
 }
 
 /* Where M changes by more than this from the anchor to a pixel, rounding of 2^-22 of its square would count. */

@@ -194,17 +194,21 @@ static inline gap_scale gap_scale_of(uint32_t end_q28, int down)
     return scale;
 }
 
-static inline bool gap_is_beyond(uint32_t value, const gap_scale *scale)
+/* A cubic's value below the limit, rounded to 16 bits of that, which costs 2^-17 of it; GAP_BEYOND above. */
+typedef uint32_t gap_part;
+
+#define GAP_BEYOND UINT32_MAX
+
+static inline gap_part gap_part_of(uint32_t value, const gap_scale *scale)
 {
-    return (int32_t)value >= scale->limit;
+    return (int32_t)value >= scale->limit ? GAP_BEYOND
+                                          : (uint32_t)positive_part((int32_t)value + scale->half) >> scale->cut;
 }
 
-/* The gap, Q28, from a cubic's value below the limit and that of the inverse of |M|^2 (Q29). The former is rounded to
- * 16 bits of the limit, which costs 2^-17 of it. */
-static inline uint32_t gap_q28_of(uint32_t value, uint32_t inverse_square, const gap_scale *scale)
+/* The gap, Q28, from that and the inverse of |M|^2 (Q29). */
+static inline uint32_t gap_q28_of(gap_part part, uint32_t inverse_square, const gap_scale *scale)
 {
-    const uint32_t part = (uint32_t)positive_part((int32_t)value + scale->half) >> scale->cut;
-    return (part * (inverse_square >> 14)) >> scale->down; /* of 8 gap; < 2^16 2^15.84 */
+    return part == GAP_BEYOND ? UINT32_MAX : (part * (inverse_square >> 14)) >> scale->down; /* 8 gap < 2^16 2^15.84 */
 }
 
 #endif

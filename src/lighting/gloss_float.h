@@ -92,15 +92,19 @@ static inline gap_scale gap_scale_of(uint32_t end_q28, int down)
     return scale;
 }
 
-static inline bool gap_is_beyond(float value, const gap_scale *scale)
+typedef float gap_part;
+
+#define GAP_BEYOND 16.0f
+
+static inline gap_part gap_part_of(float value, const gap_scale *scale)
 {
-    return !(value < scale->limit);
+    return value < scale->limit ? value : GAP_BEYOND;
 }
 
-static inline uint32_t gap_q28_of(float value, float inverse_square, const gap_scale *scale)
+static inline uint32_t gap_q28_of(gap_part part, float inverse_square, const gap_scale *scale)
 {
     (void)scale;
-    return wide_gap_q28(value * inverse_square); /* below 1.05 times 4 */
+    return part < 4.0f ? wide_gap_q28(part * inverse_square) : UINT32_MAX; /* below 1.05 times 4 */
 }
 
 #endif

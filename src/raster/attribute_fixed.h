@@ -179,10 +179,16 @@ static inline void surface_set_point(surface *at, const placement_state *state, 
     at->inverse_fraction = 30;
 }
 
+/* value / 3, without a division. */
+static inline int32_t third_part(int32_t value)
+{
+    return multiply_high_s32(value, 0x55555556) + (value < 0);
+}
+
 /* Mean of three points, each below 2^30. */
 static inline real third_of(real a, real b, real c)
 {
-    return ((a >> 2) + (b >> 2) + (c >> 2)) / 3 * 4;
+    return third_part((a >> 2) + (b >> 2) + (c >> 2)) * 4;
 }
 
 /* Stored normals: Q14 to the unit vectors' Q15; rows of the inverse transpose. */

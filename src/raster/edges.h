@@ -126,6 +126,29 @@ static inline int glint_side_move(glint_side *side, int columns)
     return inset;
 }
 
+/* Is there another row? */
+static inline bool glint_spans_more(glint_spans *spans)
+{
+    if (spans->y >= spans->y_stop) {
+        if (spans->y >= spans->y_end) {
+            return false;
+        }
+        glint_spans_bend(spans);
+    }
+    return true;
+}
+
+/* Takes that row: pixels x_first..x_last. False where no pixel is covered. */
+static inline bool glint_spans_row(glint_spans *spans, int *x_first, int *x_last)
+{
+    spans->y++;
+    const int left = glint_side_move(&spans->left, spans->columns);
+    const int right = glint_side_move(&spans->right, spans->columns);
+    *x_first = spans->x_first + left;
+    *x_last = spans->x_last - right;
+    return left + right < spans->columns;
+}
+
 /*
  * The next row with covered pixels: x_first..x_last of row y. False after the last. The ends move by as many pixels as
  * the edges do from row to row, so a triangle takes no more steps than its box has columns on either side, and no
@@ -133,24 +156,16 @@ static inline int glint_side_move(glint_side *side, int columns)
  */
 static inline bool glint_spans_next(glint_spans *spans, int16_t *y, int16_t *x_first, int16_t *x_last)
 {
-    for (;;) {
-        const int row = spans->y;
-        if (row >= spans->y_stop) {
-            if (row >= spans->y_end) {
-                return false;
-            }
-            glint_spans_bend(spans);
-        }
-        spans->y = row + 1;
-        const int left = glint_side_move(&spans->left, spans->columns);
-        const int right = glint_side_move(&spans->right, spans->columns);
-        if (left + right < spans->columns) {
-            *y = (int16_t)row;
-            *x_first = (int16_t)(spans->x_first + left);
-            *x_last = (int16_t)(spans->x_last - right);
+    while (glint_spans_more(spans)) {
+        int first, last;
+        if (glint_spans_row(spans, &first, &last)) {
+            *y = (int16_t)(spans->y - 1);
+            *x_first = (int16_t)first;
+            *x_last = (int16_t)last;
             return true;
         }
     }
+    return false;
 }
 
 #endif

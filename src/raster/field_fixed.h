@@ -81,8 +81,8 @@ static inline uint32_t field_rate_q20(const attribute_plane normal[3], uint32_t 
         x += (uint32_t)(fine_x * fine_x);
         y += (uint32_t)(fine_y * fine_y);
     }
-    /* Q(29 - down); 6 units: 2^-14 of 15 bits and 1 of the root, sqrt(3) of the cuts */
-    const uint32_t root_x = glint_square_root_u32(x) + 6, root_y = glint_square_root_u32(y) + 6;
+    /* Q(29 - down); 8 units: 2^-13.4 of 15 bits and 1 of the root, sqrt(3) of the cuts */
+    const uint32_t root_x = glint_square_root_u32(x) + 8, root_y = glint_square_root_u32(y) + 8;
     const uint32_t most = root_x > root_y ? root_x : root_y;
     const int up = down - 9;
     *along = up >= 0 ? root_x << up : (root_x >> -up) + 1;
@@ -109,11 +109,11 @@ static inline void field_dot(attribute_plane *dot, const attribute_plane normal[
     dot->step_y = (uint32_t)y;
 }
 
-/* M . v in Q26 for the sum of folded lights in one channel, Q28: v is cut to 16 bits for the products. */
+/* M . v in Q26 for the sum of folded lights in one channel, Q28: v is cut to 15 bits for the products. */
 static inline void field_dot_channel(attribute_plane *dot, const attribute_plane normal[3], const real v_q28[3])
 {
     const uint32_t any = magnitude32(v_q28[0]) | magnitude32(v_q28[1]) | magnitude32(v_q28[2]);
-    const int down = 32 - clz32(any) > 14 ? 32 - clz32(any) - 14 : 0; /* at most 17: 4 in Q28 has 31 bits */
+    const int down = 32 - clz32(any) > 15 ? 32 - clz32(any) - 15 : 0; /* at most 16: 4 in Q28 has 31 bits */
     const real v[3] = {shift_round32(v_q28[0], down), shift_round32(v_q28[1], down), shift_round32(v_q28[2], down)};
     field_dot(dot, normal, v);
     /* Q29 Q(28 - down) / 2^16 = Q(41 - down) */
@@ -203,7 +203,7 @@ static inline bool field_square_set_up(field_quadratic *field, const attribute_p
         square_q30 = (uint32_t)multiply_high_s32(square_q26 * 4, c1_q30) << 4;
         field->value = ((uint32_t)(curve->c_q15[0] + (uint32_t)curve->c_q15[1]) << 15) - square_q30 + HALF_LENGTH;
     } else {
-        field->value = ((uint32_t)1 << 30) - square_q30;
+        field->value = ((uint32_t)1 << 30) - square_q30 + (1 << 14); /* half of what field_length() drops */
     }
     field->x = 0u - (uint32_t)shift_round32(slope_x, up - 5 - lost);
     field->y = 0u - (uint32_t)shift_round32(slope_y, up - 5 - lost);
@@ -413,6 +413,17 @@ static inline void field_run_curve(uint16_t *at, const uint16_t *end, const uint
         value += slope;
         slope += bend;
     }
+}
+
+/* The same with something added at each pixel; returns where the curve has come to. */
+static inline field_row field_run_curve_and(uint16_t *at, const uint16_t *end, const uint16_t *pixel, field_row row,
+                                            const field_value *more)
+{
+    while (at != end) {
+        *at++ = pixel[field_step((int32_t)row.value + *more++)];
+        field_row_next(&row);
+    }
+    return row;
 }
 
 #endif

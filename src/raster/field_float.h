@@ -256,4 +256,14 @@ static inline void field_run_curve(uint16_t *at, const uint16_t *end, const uint
     } while (at != end);
 }
 
+static inline field_row field_run_curve_and(uint16_t *at, const uint16_t *end, const uint16_t *pixel, field_row row,
+                                            const field_value *more)
+{
+    while (at != end) {
+        *at++ = pixel[field_step(row.value + *more++)];
+        field_row_next(&row);
+    }
+    return row;
+}
+
 #endif

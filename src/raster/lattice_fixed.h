@@ -136,8 +136,8 @@ typedef struct lattice_centre {
 static inline lattice_centre lattice_centre_of(const glint_screen_vertex *const corner[3])
 {
     /* the guard band keeps the sums below 2^25 */
-    const int32_t x = (corner[0]->x + corner[1]->x + corner[2]->x) / 3,
-                  y = (corner[0]->y + corner[1]->y + corner[2]->y) / 3;
+    const int32_t x = third_part(corner[0]->x + corner[1]->x + corner[2]->x),
+                  y = third_part(corner[0]->y + corner[1]->y + corner[2]->y);
     const lattice_centre centre = {(int16_t)(x >> GLINT_FINE_BITS), (int16_t)(y >> GLINT_FINE_BITS),
                                    (int16_t)(GLINT_FINE / 2 - (x & (GLINT_FINE - 1))),
                                    (int16_t)(GLINT_FINE / 2 - (y & (GLINT_FINE - 1)))};
@@ -223,15 +223,52 @@ static inline uint32_t choose_three(uint32_t two, uint32_t n)
     return two * (n - 2) * 0xaaaaaaabu;
 }
 
+/* A cubic's column at its centre, from row to row; and the row from a pixel on. */
+typedef struct cubic_column {
+    uint32_t value, down, fall, drop, along, along_down, along_fall, bend, bend_down, twist;
+} cubic_column;
+
+static inline cubic_column cubic_column_at(const field_cubic *field, const lattice_centre *centre, int16_t y)
+{
+    const uint32_t m = (uint32_t)((int32_t)y - centre->y), m2 = choose_two(m);
+    const cubic_column column = {
+        field->value + m * field->y + m2 * field->yy + choose_three(m2, m) * field->yyy,
+        field->y + m * field->yy + m2 * field->yyy,
+        field->yy + m * field->yyy,
+        field->yyy,
+        field->x + m * field->xy + m2 * field->xyy,
+        field->xy + m * field->xyy,
+        field->xyy,
+        field->xx + m * field->xxy,
+        field->xxy,
+        field->xxx,
+    };
+    return column;
+}
+
+static inline void cubic_column_next(cubic_column *column)
+{
+    column->value += column->down;
+    column->down += column->fall;
+    column->fall += column->drop;
+    column->along += column->along_down;
+    column->along_down += column->along_fall;
+    column->bend += column->bend_down;
+}
+
+static inline cubic_row cubic_column_row(const cubic_column *column, int32_t dx)
+{
+    const uint32_t n = (uint32_t)dx, n2 = choose_two(n);
+    const cubic_row row = {column->value + n * column->along + n2 * column->bend + choose_three(n2, n) * column->twist,
+                           column->along + n * column->bend + n2 * column->twist, column->bend + n * column->twist,
+                           column->twist};
+    return row;
+}
+
 static inline cubic_row field_cubic_at(const field_cubic *field, const lattice_centre *centre, int16_t x, int16_t y)
 {
-    const uint32_t n = (uint32_t)((int32_t)x - centre->x), m = (uint32_t)((int32_t)y - centre->y);
-    const uint32_t n2 = choose_two(n), m2 = choose_two(m);
-    const uint32_t step = field->x + m * field->xy + m2 * field->xyy, bend = field->xx + m * field->xxy;
-    const cubic_row row = {field->value + m * field->y + m2 * field->yy + choose_three(m2, m) * field->yyy + n * step +
-                               n2 * bend + choose_three(n2, n) * field->xxx,
-                           step + n * bend + n2 * field->xxx, bend + n * field->xxx, field->xxx};
-    return row;
+    const cubic_column column = cubic_column_at(field, centre, y);
+    return cubic_column_row(&column, (int32_t)x - centre->x);
 }
 
 static inline void cubic_row_next(cubic_row *row)

@@ -156,6 +156,29 @@ static inline cubic_row field_cubic_at(const field_cubic *field, const lattice_c
     return row;
 }
 
+/* Rows are taken afresh: sums of steps would depend on where they began. */
+typedef struct cubic_column {
+    const field_cubic *field;
+    const lattice_centre *centre;
+    int16_t y;
+} cubic_column;
+
+static inline cubic_column cubic_column_at(const field_cubic *field, const lattice_centre *centre, int16_t y)
+{
+    const cubic_column column = {field, centre, y};
+    return column;
+}
+
+static inline void cubic_column_next(cubic_column *column)
+{
+    column->y = (int16_t)(column->y + 1);
+}
+
+static inline cubic_row cubic_column_row(const cubic_column *column, int32_t dx)
+{
+    return field_cubic_at(column->field, column->centre, (int16_t)(column->centre->x + dx), column->y);
+}
+
 static inline void cubic_row_next(cubic_row *row)
 {
     row->value += row->step;

@@ -9,8 +9,8 @@
 
 #include "examples/scenes/scenes.h"
 
-enum { TIERS = 6 };
-static const char *const tier_names[TIERS] = {"unlit", "flat", "gouraud", "q1", "q2", "exact"};
+enum { TIERS = 7 };
+static const char *const tier_names[TIERS] = {"unlit", "flat", "gouraud", "curved", "q1", "q2", "exact"};
 static const char *const backends[] = {"fixed", "float"};
 
 /* ------------------------------------------------------------------------------------------------------------- reports
@@ -153,11 +153,14 @@ static int tier_shown(const uint8_t *rgb)
     if (b > r && b > g) {
         return 2;
     }
+    if (g == b && g > r) {
+        return 3;
+    }
     if (r > 128 && g > 128 && b < 128) {
-        return 4;
+        return 5;
     }
     assert_true((g > r && g > b) || (r > g && r > b));
-    return g > r ? 3 : 5;
+    return g > r ? 4 : 6;
 }
 
 /* Reads tiers.ppm and promise.pgm and counts the pixels of each tier, the background's last. */
