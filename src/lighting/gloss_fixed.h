@@ -34,10 +34,11 @@ static const uint8_t gloss_point[LATTICE_POINTS][3] = {{3, 0, 0}, {0, 3, 0}, {0,
                                                        {0, 2, 1}, {0, 1, 2}, {1, 0, 2}, {2, 0, 1}, {1, 1, 1}};
 
 /* A quadratic's value at a point, times 9, from its coefficients; and a linear one's, times 3. */
-static inline int32_t gloss_quadratic(const int32_t of[6], int point)
+static inline uint32_t gloss_quadratic(const int32_t of[6], int point)
 {
-    const int32_t a = gloss_point[point][0], b = gloss_point[point][1], c = gloss_point[point][2];
-    return a * (a * of[0] + b * of[3]) + b * (b * of[1] + c * of[4]) + c * (c * of[2] + a * of[5]);
+    const uint32_t a = gloss_point[point][0], b = gloss_point[point][1], c = gloss_point[point][2];
+    return a * (a * (uint32_t)of[0] + b * (uint32_t)of[3]) + b * (b * (uint32_t)of[1] + c * (uint32_t)of[4]) +
+           c * (c * (uint32_t)of[2] + a * (uint32_t)of[5]);
 }
 
 static inline int32_t gloss_linear(const int32_t of[3], int point)
@@ -54,7 +55,8 @@ static inline int32_t gloss_dot(const real a[3], const real b[3])
 static inline bool gloss_ray(const pixel_rays *rays, const glint_screen_vertex *corner, real ray[3])
 {
     const int down = rays->fraction - 26;
-    const int32_t x = (corner->x - GLINT_FINE / 2) << 8, y = (corner->y - GLINT_FINE / 2) << 8; /* < 2^31: guard band */
+    const int32_t x = (corner->x - GLINT_FINE / 2) * 256,
+                  y = (corner->y - GLINT_FINE / 2) * 256; /* < 2^31: guard band */
     if (down < 2 || down > 8) {
         return false;
     }
@@ -66,7 +68,7 @@ static inline bool gloss_ray(const pixel_rays *rays, const glint_screen_vertex *
             return false;
         }
     }
-    const uint32_t square = (uint32_t)gloss_dot(ray, ray);
+    const uint32_t square = (uint32_t)(ray[0] * ray[0]) + (uint32_t)(ray[1] * ray[1]) + (uint32_t)(ray[2] * ray[2]);
     return square > ((uint32_t)1 << 28) - ((uint32_t)1 << 20) && square < (uint32_t)1 << 30;
 }
 
@@ -124,10 +126,11 @@ static inline uint32_t gloss_view_q16(const gloss_corners *corners)
 static inline void gloss_inverse_squares(const gloss_corners *corners, gap_value value[LATTICE_POINTS])
 {
     for (int i = 0; i < LATTICE_POINTS; i++) {
-        const int32_t square = gloss_quadratic(corners->square, i); /* 9 |M|^2, Q27: 4.5 to 9 and what rounding adds */
-        const int twice = square < (int32_t)1 << 30 ? 2 : 0;
-        const uint32_t y = glint_inverse_root_q16((uint32_t)square << twice); /* 2^15 / |M| 2^(5/2) / 3 */
+        const uint32_t square = gloss_quadratic(corners->square, i); /* 9 |M|^2, Q27: 4.5 to 9 and what rounding adds */
+        const int twice = square < (uint32_t)1 << 30 ? 2 : 0;
+        const uint32_t y = glint_inverse_root_q16(square << twice); /* 2^15 / |M| 2^(5/2) / 3 */
         value[i] = (int32_t)((y * y >> 7) << twice);
+        GLINT_TRACE("inverse square at a lattice point", value[i]);
     }
 }
 
@@ -143,8 +146,9 @@ static inline int gloss_values(const gloss_corners *corners, const real towards[
     }
     const int32_t mean_q28 = (gloss_dot(towards, towards) >> 3) + ((int32_t)1 << 27); /* (|s|^2 + 1) / 2 */
     for (int i = 0; i < LATTICE_POINTS; i++) {
-        const int32_t square = gloss_quadratic(corners->square, i), facing = gloss_quadratic(corners->facing, i);
-        const uint32_t distance = (uint32_t)gloss_quadratic(corners->distance, i);            /* 9 |R|^2 < 2^31.2 */
+        const uint32_t square = gloss_quadratic(corners->square, i);
+        const int32_t facing = (int32_t)gloss_quadratic(corners->facing, i);
+        const uint32_t distance = gloss_quadratic(corners->distance, i);                      /* 9 |R|^2 < 2^31.2 */
         const int32_t along = gloss_linear(light, i), against = gloss_linear(towards_ray, i); /* 3 M.s, 3 s.R */
         /* 1 / (3 |R|) = root 2^(half - 2), refined to 30 bits */
         const int half = distance < (uint32_t)1 << 30;
@@ -154,15 +158,16 @@ static inline int gloss_values(const gloss_corners *corners, const real towards[
         const int32_t away_q28 = multiply_high_s32(against, root_q30) * (2 << half); /* -s.c */
         const int32_t back_q27 = multiply_high_s32(facing, root_q30) * (2 << half);  /* -3 M.c */
         const uint32_t sum_q30 = (uint32_t)positive_part(mean_q28 - away_q28) << 2;
-        value[i] = (int32_t)multiply_high_u32((uint32_t)square, sum_q30) + multiply_high_s32(along * 4, back_q27 * 4);
+        value[i] = (int32_t)multiply_high_u32(square, sum_q30) + multiply_high_s32(along * 4, back_q27 * 4);
         greatest |= magnitude32(value[i]);
     }
     int down = 0;
     while (greatest >> down >= (uint32_t)1 << 26) {
         down++;
     }
-    for (int i = 0; i < LATTICE_POINTS && down > 0; i++) {
+    for (int i = 0; i < LATTICE_POINTS; i++) {
         value[i] = shift_round32(value[i], down);
+        GLINT_TRACE("gap at a lattice point", value[i]);
     }
     return down;
 }

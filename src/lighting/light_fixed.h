@@ -348,6 +348,7 @@ static inline uint32_t turn_square_q16(const real v0[3], const real v1[3], const
 static inline void light_fold_step(real *step, real cosine, real share)
 {
     *step += (cosine * share) >> 1;
+    GLINT_TRACE("folded steps q29", *step);
 }
 
 /* ... or by each channel of its colour, Q26. */

@@ -109,6 +109,7 @@ static inline real attribute_next(real value, const attribute_plane *plane)
 typedef struct pixel_rays {
     real v[3][3];
     int16_t fraction;
+    uint16_t reach_px; /* |x| + |y| of the farthest vertex whose ray surface_set_vertex_ray() can take */
 } pixel_rays;
 
 static inline void rays_prepare(pixel_rays *rays, const glint_frame *frame)
@@ -119,6 +120,13 @@ static inline void rays_prepare(pixel_rays *rays, const glint_frame *frame)
         }
     }
     rays->fraction = frame->ray_fraction;
+    /* an eighth of v[0], below 2^28, and |x| + |y| eighths of a step stay below 2^30 */
+    uint32_t step = 0;
+    for (int k = 0; k < 3; k++) {
+        step |= magnitude32(rays->v[1][k]) | magnitude32(rays->v[2][k]);
+    }
+    const uint32_t reach = ((uint32_t)3 << 28) / ((step >> 3) + 1);
+    rays->reach_px = (uint16_t)(reach > 4096 ? 4096 : reach);
 }
 
 static inline void surface_set_ray(surface *at, const pixel_rays *rays, int16_t x, int16_t y)
@@ -130,17 +138,27 @@ static inline void surface_set_ray(surface *at, const pixel_rays *rays, int16_t 
     at->ray_fraction = rays->fraction;
 }
 
-/* The ray through a vertex: from that through its pixel's centre, the rest of the way in 1/4096 px. */
-static inline void surface_set_vertex_ray(surface *at, const pixel_rays *rays, const glint_screen_vertex *vertex)
+/* The ray through a vertex, which may lie outside of the display: an eighth of it, so that it fits. Through a pixel's
+ * centre and the rest of the way in 1/4096 px. False where it does not fit. */
+static inline bool surface_set_vertex_ray(surface *at, const pixel_rays *rays, const glint_screen_vertex *vertex)
 {
     const int32_t x = vertex->x - GLINT_FINE / 2, y = vertex->y - GLINT_FINE / 2;
+    const int32_t px = x >> GLINT_FINE_BITS, py = y >> GLINT_FINE_BITS;
     const int32_t part_x = x & (GLINT_FINE - 1), part_y = y & (GLINT_FINE - 1);
-    surface_set_ray(at, rays, (int16_t)(x >> GLINT_FINE_BITS), (int16_t)(y >> GLINT_FINE_BITS));
-    for (int k = 0; k < 3; k++) {
-        at->ray[k] += (rays->v[1][k] >> GLINT_FINE_BITS) * part_x + (rays->v[2][k] >> GLINT_FINE_BITS) * part_y +
-                      (((rays->v[1][k] & (GLINT_FINE - 1)) * part_x + (rays->v[2][k] & (GLINT_FINE - 1)) * part_y) >>
-                       GLINT_FINE_BITS);
+    if (magnitude32(px) + magnitude32(py) + 2 > rays->reach_px) {
+        return false;
     }
+    for (int k = 0; k < 3; k++) {
+        const int32_t right = rays->v[1][k], down = rays->v[2][k];
+        /* what the eighths of the steps drop: 7 (|px| + |py|) / 8 < 2^12; and steps are below 2^30 */
+        at->ray[k] =
+            (rays->v[0][k] >> 3) + px * (right >> 3) + py * (down >> 3) + ((px * (right & 7) + py * (down & 7)) >> 3) +
+            (right >> (GLINT_FINE_BITS + 3)) * part_x + (down >> (GLINT_FINE_BITS + 3)) * part_y +
+            (((right >> 3 & (GLINT_FINE - 1)) * part_x + (down >> 3 & (GLINT_FINE - 1)) * part_y) >> GLINT_FINE_BITS);
+        GLINT_TRACE("ray through a vertex", at->ray[k]);
+    }
+    at->ray_fraction = (int16_t)(rays->fraction - 3);
+    return true;
 }
 
 static inline void surface_next_ray(surface *at, const pixel_rays *rays)

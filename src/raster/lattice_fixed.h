@@ -49,16 +49,17 @@ static inline void lattice_prepare(lattice_gradients *to, const glint_gradients 
 }
 
 /* a1 b1 + a2 b2 per pixel, and the second-order terms a[0] b1^2 + a[1] b1 b2 + a[2] b2^2: in the unit of a */
-static inline uint32_t lattice_first(int32_t a1, int32_t a2, const int32_t gradient[2], int up)
+static inline uint32_t lattice_first(int32_t a1, int32_t a2, const int32_t gradient[2], int down)
 {
-    return (uint32_t)shift_round32(multiply_high_s32(a1, gradient[0]) + multiply_high_s32(a2, gradient[1]), up - 2);
+    return (uint32_t)shift_round32(multiply_high_s32(a1, gradient[0]) + multiply_high_s32(a2, gradient[1]), down);
 }
 
 static inline uint32_t lattice_second(const int32_t a[3], const int32_t gradient[3], int down)
 {
-    return (uint32_t)shift_round32(multiply_high_s32(a[0], gradient[0]) + multiply_high_s32(a[1], gradient[1]) +
-                                       multiply_high_s32(a[2], gradient[2]),
-                                   down);
+    const uint32_t sum = (uint32_t)multiply_high_s32(a[0], gradient[0]) +
+                         (uint32_t)multiply_high_s32(a[1], gradient[1]) +
+                         (uint32_t)multiply_high_s32(a[2], gradient[2]);
+    return (uint32_t)shift_round32((int32_t)sum, down);
 }
 
 /* floor(step offset / 2^12) for |offset| <= 2^11 */
@@ -104,20 +105,24 @@ static inline uint32_t lattice_mean(uint32_t sum)
 static inline void lattice_quadratic(field_quadratic *field, const lattice_gradients *gradients, const real corner[3],
                                      const real middle[3])
 {
-    const int32_t v = corner[0], v1 = corner[1] - v, v2 = corner[2] - v;
-    const int32_t m1 = middle[0] - v, m12 = middle[1] - v, m2 = middle[2] - v;
-    const int32_t a[3] = {2 * v1 - 4 * m1, 4 * (m12 - m1 - m2), 2 * v2 - 4 * m2};
-    const int32_t a1 = 4 * m1 - v1, a2 = 4 * m2 - v2;
+    for (int k = 0; k < 3; k++) {
+        GLINT_TRACE("value at a lattice point", corner[k]);
+        GLINT_TRACE("value at a lattice point", middle[k]);
+    }
+    const uint32_t v = (uint32_t)corner[0], v1 = (uint32_t)corner[1] - v, v2 = (uint32_t)corner[2] - v;
+    const uint32_t m1 = (uint32_t)middle[0] - v, m12 = (uint32_t)middle[1] - v, m2 = (uint32_t)middle[2] - v;
+    const int32_t a[3] = {(int32_t)(2 * v1 - 4 * m1), (int32_t)(4 * (m12 - m1 - m2)), (int32_t)(2 * v2 - 4 * m2)};
+    const int32_t a1 = (int32_t)(4 * m1 - v1), a2 = (int32_t)(4 * m2 - v2);
     const int up = gradients->up;
     const int16_t offset_x = gradients->offset_x, offset_y = gradients->offset_y;
-    const uint32_t x = lattice_first(a1, a2, gradients->x, up), y = lattice_first(a1, a2, gradients->y, up);
+    const uint32_t x = lattice_first(a1, a2, gradients->x, up - 2), y = lattice_first(a1, a2, gradients->y, up - 2);
     field->xx = lattice_second(a, gradients->xx, 2 * up - 2);
     field->xy = lattice_second(a, gradients->xy, 2 * up - 2);
     field->yy = lattice_second(a, gradients->yy, 2 * up - 2);
     /* from corner 0 to the anchor's centre */
     const uint32_t half_x = lattice_part(field->xx, offset_x), half_y = lattice_part(field->yy, offset_y);
     const uint32_t cross_x = lattice_part(field->xy, offset_x);
-    field->value = (uint32_t)v + lattice_part(x + half_x, offset_x) + lattice_part(y + half_y + cross_x, offset_y);
+    field->value = v + lattice_part(x + half_x, offset_x) + lattice_part(y + half_y + cross_x, offset_y);
     field->x = x + 2 * half_x + lattice_part(field->xy, offset_y);
     field->y = y + 2 * half_y + cross_x;
 }
@@ -160,18 +165,22 @@ typedef struct cubic_row {
 static inline void lattice_cubic(field_cubic *field, const lattice_gradients *gradients, const lattice_centre *centre,
                                  const int32_t value[LATTICE_POINTS])
 {
-    const int32_t v = value[0], v1 = value[1] - v, v2 = value[2] - v;
-    const int32_t p1 = value[3] - v, q1 = value[4] - v, q2 = value[7] - v, p2 = value[8] - v;
+    const uint32_t v = (uint32_t)value[0], v1 = (uint32_t)value[1] - v, v2 = (uint32_t)value[2] - v;
+    const uint32_t p1 = (uint32_t)value[3] - v, q1 = (uint32_t)value[4] - v;
+    const uint32_t q2 = (uint32_t)value[7] - v, p2 = (uint32_t)value[8] - v;
     /* Along the edges from corner 0 the polynomial is a cubic of v, p, q and v1 or v2; what is left is b1 b2 (s + t1 b1
-     * + t2 b2), which is c at the centroid and c1 and c2 on the edge opposite. Taken about the centroid: */
-    const int32_t c = value[9] - v - p1 - p2, c1 = value[5] - v - q1 - p2, c2 = value[6] - v - p1 - q2;
-    const int32_t a1 = 3 * (c1 - p1) + 6 * q1 - v1, a2 = 3 * (c2 - p2) + 6 * q2 - v2; /* all twice */
-    const int32_t second[3] = {9 * (q1 + c1 - 2 * (p1 + c)), 9 * (c1 + c2 - 2 * c), 9 * (q2 + c2 - 2 * (p2 + c))};
-    const int32_t third[4] = {81 * (p1 - q1) + 27 * v1, 27 * (c1 - 2 * c), 27 * (c2 - 2 * c), 81 * (p2 - q2) + 27 * v2};
+     * + t2 b2), which is c at the centroid and c1 and c2 on the edge opposite. Taken about the centroid, all twice: */
+    const uint32_t c = (uint32_t)value[9] - v - p1 - p2;
+    const uint32_t c1 = (uint32_t)value[5] - v - q1 - p2, c2 = (uint32_t)value[6] - v - p1 - q2;
+    const int32_t a1 = (int32_t)(3 * (c1 - p1) + 6 * q1 - v1), a2 = (int32_t)(3 * (c2 - p2) + 6 * q2 - v2);
+    const int32_t second[3] = {(int32_t)(9 * (q1 + c1 - 2 * (p1 + c))), (int32_t)(9 * (c1 + c2 - 2 * c)),
+                               (int32_t)(9 * (q2 + c2 - 2 * (p2 + c)))};
+    const int32_t third[4] = {(int32_t)(81 * (p1 - q1) + 27 * v1), (int32_t)(27 * (c1 - 2 * c)),
+                              (int32_t)(27 * (c2 - 2 * c)), (int32_t)(81 * (p2 - q2) + 27 * v2)};
     const int up = gradients->up;
     const int16_t offset_x = centre->offset_x, offset_y = centre->offset_y;
-    const uint32_t x_0 = lattice_first(a1, a2, gradients->x, up + 1 - CUBIC_FINER);
-    const uint32_t y_0 = lattice_first(a1, a2, gradients->y, up + 1 - CUBIC_FINER);
+    const uint32_t x_0 = lattice_first(a1, a2, gradients->x, up - 1 - CUBIC_FINER);
+    const uint32_t y_0 = lattice_first(a1, a2, gradients->y, up - 1 - CUBIC_FINER);
     /* derivatives: a second-order term a b1^2 has 2 a b1'^2 */
     const uint32_t xx_0 = lattice_second(second, gradients->xx, 2 * up - 2 - CUBIC_FINER);
     const uint32_t xy_0 = lattice_second(second, gradients->xy, 2 * up - 1 - CUBIC_FINER);
@@ -180,11 +189,11 @@ static inline void lattice_cubic(field_cubic *field, const lattice_gradients *gr
      * what they are, for their derivatives */
     int32_t p[3], q[3];
     for (int k = 0; k < 3; k++) {
-        const int32_t times = k == 1 ? 2 : 1;
-        p[k] =
-            (multiply_high_s32(third[k], gradients->x[0]) + multiply_high_s32(third[k + 1], gradients->x[1])) * times;
-        q[k] =
-            (multiply_high_s32(third[k], gradients->y[0]) + multiply_high_s32(third[k + 1], gradients->y[1])) * times;
+        const uint32_t times = k == 1 ? 2 : 1;
+        p[k] = (int32_t)(times * (uint32_t)(multiply_high_s32(third[k], gradients->x[0]) +
+                                            multiply_high_s32(third[k + 1], gradients->x[1])));
+        q[k] = (int32_t)(times * (uint32_t)(multiply_high_s32(third[k], gradients->y[0]) +
+                                            multiply_high_s32(third[k + 1], gradients->y[1])));
     }
     const uint32_t xxx = lattice_second(p, gradients->xx, 3 * up - 4 - CUBIC_FINER);
     const uint32_t xxy = lattice_second(p, gradients->xy, 3 * up - 3 - CUBIC_FINER);
