@@ -170,8 +170,8 @@ uint32_t glint_bound_curve(uint32_t diffuse, uint32_t turn_q16)
 {
     const uint32_t square_q16 = (turn_q16 * turn_q16 >> 16) + 1; /* turn < 2^16 */
     const uint32_t cube_q16 = (square_q16 * turn_q16 >> 16) + 1;
-    /* 0.0262 = 1717 / 2^16 */
-    return ((multiply_high_u32(diffuse << 8, cube_q16 << 8) + 1) * 1717 >> 16) + 1;
+    /* 0.0262 = 1717 / 2^16, 1.2e-5 = 13 / 2^20 */
+    return ((multiply_high_u32(diffuse << 8, cube_q16 << 8) + 1) * 1717 >> 16) + (diffuse * 13 >> 20) + 1;
 }
 
 uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_t specular, uint32_t turn_q16)
@@ -181,10 +181,10 @@ uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_
         return UINT32_MAX;
     }
     const uint32_t square_q16 = (turn_q16 * turn_q16 >> 16) + 1;
-    /* the polynomial's error: view^2 0.0087 (turn^2 + 3/4 turn view + 11/16 view^2) */
-    const uint32_t across_q16 = (view_q16 * ((3 * turn_q16 >> 2) + (11 * view_q16 >> 4)) >> 16) + 1; /* < 0.5 */
+    /* the polynomial's error: view^2 0.011 (turn^2 + 4/3 turn view + 5/8 view^2) */
+    const uint32_t across_q16 = (view_q16 * ((4 * turn_q16 / 3) + (5 * view_q16 >> 3)) >> 16) + 1; /* < 0.7 */
     const uint32_t bent_q28 =
-        (((view_q16 * view_q16 >> 16) + 1) * ((square_q16 + across_q16) >> 2) >> 2) * 9 / 1024 + 1;
+        (((view_q16 * view_q16 >> 16) + 1) * ((square_q16 + across_q16) >> 2) >> 2) * 23 / 2048 + 1;
     /* units of each term: 1/2 + 3 2^(8 - 3 up), 1/2 + 3 2^(6 - 2 up), 1/2 + 2 2^(5 - up) */
     const uint32_t cube = (n + 3) * n * n / 6, square = n * n / 2 + 1;
     const uint32_t rounding = size->up == 2   ? 13 * cube + 13 * square + 17 * n
@@ -196,9 +196,10 @@ uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_
     /* a unit is 2^(down - 29) / 9, below 2^(down - 28) / 16 */
     const uint32_t gap_q28 = bent_q28 + ((rounding << size->down) >> 4) + (size->end_q28 >> 17) + 32;
     const uint32_t of_gap = multiply_high_u32(gloss << 4, gap_q28) + 1;
-    /* 0.018 turn^4 + 1e-4, as Q22 */
+    /* 0.0625 turn^4 (1 - turn + 0.45 turn^2) + 1e-4, as Q22 */
     const uint32_t fourth_q16 = (square_q16 * square_q16 >> 16) + 1;
-    const uint32_t relative_q22 = (fourth_q16 * 1180 >> 10) + 420;
+    const uint32_t lessened_q16 = 65536 - turn_q16 + (square_q16 * 29492 >> 16) + 1;
+    const uint32_t relative_q22 = (fourth_q16 * (lessened_q16 >> 2) >> 12) + 4 + 420;
     return of_gap + (multiply_high_u32(specular << 8, relative_q22 << 2)) + 1;
 }
 

@@ -137,9 +137,9 @@ uint32_t glint_bound_quadratic(uint32_t gloss, uint32_t normal_q20, uint32_t vie
 /*
  * Curves over a triangle: a cosine n.l is interpolated by the polynomial of degree 2 through its values at the corners
  * and the middles of the edges. With turn = (the longest edge of the triangle of M) / (the least |M| on it), the vector
- * from the interpolated n to the true one is at most 0.0249 turn^3 long for turns up to 0.8 (found by searching over
- * shapes, tests/unit/test_curves.c; the third derivative's part of its Taylor formula alone would prove 0.1), so the
- * sum of lights errs by that times their sum.
+ * from the interpolated n to the true one is at most 0.0262 turn^3 + 1.2e-5 long for turns up to 0.69 (found by
+ * searching over shapes, tests/unit/test_curve_bounds.c; the third derivative's part of its Taylor formula alone would
+ * prove 0.1), so the sum of lights errs by that times their sum.
  */
 #define GLINT_TURN_MOST_Q16 45000 /* 0.69 */
 uint32_t glint_bound_curve(uint32_t diffuse, uint32_t turn_q16);
@@ -153,14 +153,14 @@ typedef struct glint_cubic_size {
 } glint_cubic_size;
 
 /*
- * A highlight's |M|^2 (1 - r.c) by a polynomial of degree 3 through ten points errs by at most |M|^2 view^2 (0.0079
- * turn^2 + 0.006 turn view + 0.0055 view^2), 1/|M|^2 by a relative 0.0165 turn^4 (searched for like the above).
- * Rounding adds to the former at n pixels from the centroid C(n, 3) units of 2^(down - 29) / 9 for the rounding of a
- * third difference, C(n, 2) for that of a second and n for a first, each half a unit and what its products were cut by;
- * and the table's argument is cut to 2^-17 of its end. All of it counts `gloss` times, the specular peak times the
- * exponent. The relative errors of 1/|M|^2, with 1e-4 for rounding, are of a gap g, and g exponent (1 - g)^(exponent -
- * 1) is at most 1 for exponents from 1 on, 1/2 from 2 on, which `specular` is to account for. UINT32_MAX where there is
- * no bound: coefficients may not fit where `up` is below 2.
+ * A highlight's |M|^2 (1 - r.c) by a polynomial of degree 3 through ten points errs by at most |M|^2 view^2 (0.0103
+ * turn^2 + 0.0136 turn view + 0.0064 view^2), 1/|M|^2 by a relative 0.0625 turn^4 (1 - turn + 0.45 turn^2) (searched
+ * for like the above). Rounding adds to the former at n pixels from the centroid C(n, 3) units of 2^(down - 29) / 9 for
+ * the rounding of a third difference, C(n, 2) for that of a second and n for a first, each half a unit and what its
+ * products were cut by; and the table's argument is cut to 2^-17 of its end. All of it counts `gloss` times, the
+ * specular peak times the exponent. The relative errors of 1/|M|^2, with 1e-4 for rounding, are of a gap g, and g
+ * exponent (1 - g)^(exponent - 1) is at most 1 for exponents from 1 on, 1/2 from 2 on, which `specular` is to account
+ * for. UINT32_MAX where there is no bound: coefficients may not fit where `up` is below 2.
  */
 uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_t specular, uint32_t turn_q16);
 

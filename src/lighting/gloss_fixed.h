@@ -184,10 +184,8 @@ static inline gap_scale gap_scale_of(uint32_t end_q28, int down)
     /* 9 times the end, with 4 bits in front */
     const uint32_t nine_q24 = (end_q28 + (end_q28 >> 5) + 16) / 16 * 9; /* < 2^28 */
     gap_scale scale;
-    const int up = 5 - down; /* to Q(29 - down) */
-    const uint32_t limit = up >= 0 && nine_q24 >> (31 - up) != 0 ? INT32_MAX
-                           : up >= 0                             ? nine_q24 << up
-                                                                 : nine_q24 >> -up;
+    const int up = 5 - down; /* to Q(29 - down): at least 1 */
+    const uint32_t limit = nine_q24 >> (31 - up) != 0 ? INT32_MAX : nine_q24 << up;
     int cut = 0;
     while (limit >> cut >= 65536) {
         cut++;

@@ -191,12 +191,6 @@ static inline uint32_t wide_gap_q31(wide_gap gap)
     return gap >= (int32_t)1 << 28 ? LIGHT_GAP_ONE : (uint32_t)gap << 3;
 }
 
-static inline void gap_row_constant(gap_row *row, wide_gap first)
-{
-    row->value = first;
-    row->step = row->bend = 0;
-}
-
 /* Through three gaps 2^log2 pixels apart: with a = first - 2 second + third, the value at pixel i is first + i (second
  * - first - a / 2) / 2^log2 + i^2 a / 2^(2 log2 + 1). */
 static inline void gap_row_through(gap_row *row, wide_gap first, wide_gap second, wide_gap third, int log2)
@@ -339,7 +333,7 @@ static inline uint32_t turn_square_q16(const real v0[3], const real v1[3], const
         edge = apart > edge ? apart : edge;
         least = length < least ? length : least;
     }
-    edge += (edge >> 10) + 256; /* for what the shift cuts */
+    edge += (edge >> 6) + 192; /* for what the shift cuts: up to 3.46 units of an edge, of the square up to this */
     const uint32_t short_q16 = least > edge / 3 ? (least - edge / 3) >> 16 : 0;
     return short_q16 < 16 || edge >> 15 >= short_q16 ? UINT32_MAX : edge / short_q16 + 1;
 }

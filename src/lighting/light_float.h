@@ -134,12 +134,6 @@ typedef struct gap_row {
     float value, step, bend;
 } gap_row;
 
-static inline void gap_row_constant(gap_row *row, wide_gap first)
-{
-    row->value = first;
-    row->step = row->bend = 0.0f;
-}
-
 static inline void gap_row_through(gap_row *row, wide_gap first, wide_gap second, wide_gap third, int log2)
 {
     const float a = first - 2.0f * second + third, part = 1.0f / (float)(1 << log2);
