@@ -318,7 +318,7 @@ static inline void field_row_skip(field_row *row, uint16_t count)
 }
 
 /* Is a curve through these steps at the corners certainly above 0 all over the triangle? Between it stays above the
- * least of them, 1/32 here, less the greatest error of a curve, 0.0275 0.69^3. */
+ * least of them, 1/32 here, less the greatest error of a curve, 0.0262 0.69^3. */
 static inline bool field_steps_positive(const real step[3])
 {
     const int32_t least = (int32_t)1 << 24;

@@ -79,7 +79,9 @@ static inline int frame_draw(frame *f, const glint_scene *scene, int backend)
                                                : glint_float_memory_bytes(scene, &f->display);
     const size_t least = backend == FRAME_FIXED ? glint_fixed_memory_least_bytes(scene, &f->display)
                                                 : glint_float_memory_least_bytes(scene, &f->display);
-    const size_t bytes = f->memory_bytes == 0 ? full : f->memory_bytes == 1 ? least : f->memory_bytes;
+    const bool tiers = f->tolerance != 0 || f->shading >= GLINT_SHADING_Q1;
+    const size_t tables = tiers ? (size_t)scene->object_count * GLINT_RAMP_WORDS * 4 : 0;
+    const size_t bytes = f->memory_bytes == 0 ? full + tables : f->memory_bytes == 1 ? least : f->memory_bytes;
     uint8_t *memory = malloc(bytes + FRAME_CANARY);
     assert_non_null(memory);
     memset(memory, FRAME_CANARY_BYTE, bytes + FRAME_CANARY);
