@@ -134,9 +134,10 @@ static inline clip_ratio clip_crossing(plane_distance inside, plane_distance out
     const uint32_t divisor = (uint32_t)(bits > 32 ? whole >> (bits - 32) : whole << (32 - bits));
     const uint32_t dividend = (uint32_t)(bits > 32 ? (uint64_t)inside >> (bits - 32) : (uint64_t)inside << (32 - bits));
     /* dividend / divisor = dividend r / 2^62 */
-    const uint64_t ratio_q30 = ((uint64_t)dividend * glint_reciprocal_q31(divisor)) >> 32;
+    const uint32_t quotient_q30 = multiply_high_u32(dividend, glint_reciprocal_q31(divisor)); /* may be 2 above 1 */
+    const int32_t ratio_q30 = quotient_q30 < (uint32_t)1 << 30 ? (int32_t)quotient_q30 : (int32_t)1 << 30;
     GLINT_TRACE("clip ratio q30", ratio_q30);
-    return (int32_t)ratio_q30;
+    return ratio_q30;
 }
 
 static inline int32_t clip_blend(int32_t from, int32_t to, clip_ratio t_q30)

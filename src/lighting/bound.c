@@ -285,7 +285,7 @@ void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3]
             choice->turn_q16 = square_q16 < ONE_Q16 / 2 ? glint_square_root_u32(square_q16 << 16) + 1 : ONE_Q16;
         }
         if (choice->turn_q16 + bound->point_turn_q16 <= GLINT_TURN_MOST_Q16) {
-            const uint32_t error = HALF_CODE + bound->fixed + 2 * bound->reach + affine +
+            const uint32_t error = HALF_CODE + bound->fixed + bound->curve_reach + affine +
                                    (bound->left > bound->gloss ? bound->left : bound->gloss) +
                                    glint_bound_curve(bound->diffuse - bound->point_diffuse, choice->turn_q16) +
                                    glint_bound_curve(bound->point_diffuse, choice->turn_q16 + bound->point_turn_q16);

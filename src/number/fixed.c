@@ -3,40 +3,30 @@
 
 #include "number/tables.h"
 
-int glint_clz32(uint32_t value)
+/* Inlined into the routines of this file, which call them, the functions that share code would be three calls of
+ * another three. */
+#if defined __GNUC__
+#define NOT_INLINE __attribute__((noinline))
+#else
+#define NOT_INLINE
+#endif
+
+NOT_INLINE int glint_clz32(uint32_t value)
 {
     return clz32_search(value);
 }
 
-uint32_t glint_multiply_high_u32(uint32_t a, uint32_t b)
+NOT_INLINE uint32_t glint_multiply_high_u32(uint32_t a, uint32_t b)
 {
     return multiply_high_narrow_u32(a, b);
 }
 
-int32_t glint_multiply_high_s32(int32_t a, int32_t b)
+NOT_INLINE int32_t glint_multiply_high_s32(int32_t a, int32_t b)
 {
     return multiply_high_narrow_s32(a, b);
 }
 
 uint32_t glint_reciprocal_q31(uint32_t x_q31)
-{
-    /* cell number from the 6 bits below the leading one; the seed has 15 bits, relative error below 2^-7 */
-    const uint32_t seed_q15 = flash_u16(&glint_reciprocal_seed_q15[(x_q31 >> 25) & 63]);
-    /* 1 - x r in Q30; |.| < 2^23, so four times it fits. As r = seed 2^16, two products of 16 bits are the whole. */
-    const uint32_t product_q30 = (x_q31 >> 16) * seed_q15 + (((x_q31 & 0xffff) * seed_q15) >> 16);
-    const int32_t first_q30 = ((int32_t)1 << 30) - (int32_t)product_q30;
-    GLINT_TRACE("reciprocal residual q30", first_q30);
-    uint32_t r = (seed_q15 << 16) + (uint32_t)multiply_q16(first_q30 * 4, (int32_t)seed_q15);
-    /* The residual is squared, at most 2^-14.01 now. Products rounded down leave r too small, never too large: it has
-     * 16 bits, and two products are the whole again, (2^15 - 1)(2^16 - 1) + 2^16 < 2^31. */
-    const uint32_t second_q30 = ((uint32_t)1 << 30) - multiply_high_u32(x_q31, r);
-    GLINT_TRACE("reciprocal second residual q30", second_q30);
-    r += ((r >> 16) * second_q30 + (((r & 0xffff) * second_q30) >> 16)) >> 14;
-    GLINT_TRACE("reciprocal q31", r);
-    return r;
-}
-
-uint32_t glint_reciprocal_narrow_q31(uint32_t x_q31)
 {
     const uint32_t x_high = x_q31 >> 16, x_low = x_q31 & 0xffff;
     /* relative error below 2^-7 */
@@ -312,7 +302,8 @@ glint_scaled glint_scaled_from(uint64_t value, int fraction)
 glint_scaled glint_scaled_inverse(glint_scaled x)
 {
     /* x = 2m 2^-(f+1); 1/x = 2^62/(2m) 2^(f+1-62) */
-    return glint_scaled_from(glint_reciprocal_q31((uint32_t)x.m << 1), 61 - x.f);
+    const uint32_t r = glint_reciprocal_q31((uint32_t)x.m << 1), most = ((uint32_t)1 << 31) - 4;
+    return glint_scaled_from(r < most ? r : most, 61 - x.f);
 }
 
 glint_scaled glint_scaled_times(glint_scaled x, uint32_t factor, int fraction)

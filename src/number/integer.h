@@ -207,17 +207,17 @@ static inline uint32_t multiply_high_u32(uint32_t a, uint32_t b)
 #endif
 }
 
-/* floor(a b / 2^32), signed, from the unsigned product: a negative factor counts as itself plus 2^32. */
+/* floor(a b / 2^32), signed, from four 16 x 16 bit products: the upper halves are signed, -2^15..2^15 - 1, the lower
+ * ones are not. */
 static inline int32_t multiply_high_narrow_s32(int32_t a, int32_t b)
 {
-    uint32_t high = multiply_high_narrow_u32((uint32_t)a, (uint32_t)b);
-    if (a < 0) {
-        high -= (uint32_t)b;
-    }
-    if (b < 0) {
-        high -= (uint32_t)a;
-    }
-    return (int32_t)high;
+    const int32_t a_high = a >> 16, b_high = b >> 16;
+    const uint32_t a_low = (uint32_t)a & 0xffff, b_low = (uint32_t)b & 0xffff;
+    const int32_t low = (int32_t)((a_low * b_low) >> 16);
+    /* each at least -2^15 (2^16-1), at most (2^15-1)(2^16-1) + 2^16-1 = 2^15 (2^16-1) < 2^31 */
+    const int32_t middle = a_high * (int32_t)b_low + low;
+    const int32_t cross = b_high * (int32_t)a_low + (middle & 0xffff);
+    return a_high * b_high + (middle >> 16) + (cross >> 16);
 }
 
 static inline int32_t multiply_high_s32(int32_t a, int32_t b)
@@ -231,26 +231,10 @@ static inline int32_t multiply_high_s32(int32_t a, int32_t b)
 #endif
 }
 
-/* floor(a b / 2^32) for any a and b < 2^31, from four 16 x 16 bit products. With a = 2^16 ah + al, ah signed:
- * |ah| <= 2^15 and bh < 2^15, so ah bl + 2^16 is within 2^31, and al bh + 2^16 below it. */
-static inline int32_t multiply_high_narrow_s32_u31(int32_t a, uint32_t b)
-{
-    const int32_t a_high = a >> 16, b_high = (int32_t)(b >> 16), b_low = (int32_t)(b & 0xffff);
-    const uint32_t a_low = (uint32_t)a & 0xffff;
-    const int32_t middle = a_high * b_low + (int32_t)((a_low * (uint32_t)b_low) >> 16);
-    const int32_t cross = (int32_t)a_low * b_high + (middle & 0xffff);
-    return a_high * b_high + (middle >> 16) + (cross >> 16);
-}
-
+/* The same for a factor below 2^31 that is kept unsigned. */
 static inline int32_t multiply_high_s32_u31(int32_t a, uint32_t b)
 {
-#if GLINT_WIDE_MULTIPLY
-    return (int32_t)(((int64_t)a * (int32_t)b) >> 32);
-#elif GLINT_SHARE_CODE
-    return glint_multiply_high_s32(a, (int32_t)b);
-#else
-    return multiply_high_narrow_s32_u31(a, b);
-#endif
+    return multiply_high_s32(a, (int32_t)b);
 }
 
 /* floor(a b / 2^16) for any a and a 16-bit b, two 32-bit products:

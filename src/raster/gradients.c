@@ -83,8 +83,9 @@ void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_verte
     gradients->anchor_y = (int16_t)(a->y >> GLINT_FINE_BITS);
     gradients->offset_x = (int16_t)(GLINT_FINE / 2 - (a->x & (GLINT_FINE - 1)));
     gradients->offset_y = (int16_t)(GLINT_FINE / 2 - (a->y & (GLINT_FINE - 1)));
-    /* 1/area = r 2^(-30-area_bits), r < 2^31 */
-    const int32_t r = (int32_t)glint_reciprocal_narrow_q31(upper), r_low = low_half(r);
+    /* 1/area = r 2^(-30-area_bits), r < 2^31; the bits of the area that `upper` drops are a relative 2^-31 of it, half
+     * a unit of a gradient at most */
+    const int32_t r = (int32_t)glint_reciprocal_q31(upper), r_low = low_half(r);
     const int32_t r_high = (int32_t)(((uint32_t)r + 0x8000u) >> 16); /* 2^15 at most */
     /* a side, brought to 30 bits, times r: d r 2^(30 - bits - 31); d / area per 1/4096 px, in Q30 per px, is that times
      * 2^-down */

@@ -26,6 +26,14 @@ typedef struct glint_gradients {
 void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_vertex *const corner[3],
                             const uint8_t order[3]);
 
+/* How many bits the steepest gradient is below 1/2 a pixel: 0 where it is above. Not for slivers. */
+static inline int glint_gradients_spare_bits(const glint_gradients *gradients)
+{
+    const int zeros = clz32(magnitude32(gradients->x[0]) | magnitude32(gradients->x[1]) | magnitude32(gradients->y[0]) |
+                            magnitude32(gradients->y[1]) | 1);
+    return zeros < 2 ? 0 : zeros - 2;
+}
+
 /*
  * For slivers: barycentric coordinates of corners 1 and 2 at a pixel's centre, Q30, clamped so that all three are
  * 0..2^30 and their sum is 2^30. Error before clamping at most 2^-27.

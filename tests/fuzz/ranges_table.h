@@ -28,7 +28,6 @@ static const documented_range documented[] = {
     {"shifted left, bits", BITS, 0, 63, "number/integer.h: the caller sees to it"},
     {"shifted right", S64, BELOW(TWO(62)), "number/integer.h"},
     {"reciprocal residual q30", S32, BELOW(TWO(23)), "number/fixed.c"},
-    {"reciprocal second residual q30", U32, 0, TWO(16) - 1, "number/fixed.c"},
     {"reciprocal residual q31", S32, BELOW(TWO(17)), "number/fixed.c"},
     {"reciprocal q31", U32, TWO(30), TWO(31) - 1, "number/fixed.h"},
     {"power t q26", U32, 0, 31 * TWO(26), "number/fixed.c"},

@@ -239,7 +239,7 @@ printf '%-50s %9s %9s  %s\n' identity z3 mistakes 'measured over'
 solve 'multiply_high_narrow_u32, _s32 = wide product' multiply_high unsat multiply_high.smt2
 solve 'multiply_q16 = floor(a b / 2^16)' multiply_q16 unsat multiply_q16.smt2
 solve 'shift_round64 to nearest, |value| < 2^62' shift_round64 unsat shift_round64.smt2
-solve "edges: sign of E' = sign of E, L = 2880" edges unsat edge_identity.smt2
+solve "edges: sign of E' = sign of E, L = 2881" edges unsat edge_identity.smt2
 solve 'edges: |E| <= L^2' edges unsat edge_range.smt2
 # edges_at COORDINATE WORD EXPECTED
 edges_at() {

@@ -10,9 +10,9 @@
 
 /* Budgets, as raster/gradients.h and raster/plane.h state them. */
 #define GRADIENT_ULP 2.0L                /* of the last bit, and ... */
-#define GRADIENT_RELATIVE_LOG2 (-27.8L)  /* of the gradient */
-#define PLANE_PER_PIXEL 12.5L            /* units a pixel from the anchor, and ... */
-#define PLANE_UNITS 8.0L                 /* at the anchor */
+#define GRADIENT_RELATIVE_LOG2 (-28.3L)  /* of the gradient */
+#define PLANE_PER_PIXEL 7.0L             /* units a pixel from the anchor, and ... */
+#define PLANE_UNITS 12.0L                /* at the anchor, of which 4 for the reciprocal */
 #define WEIGHT_LOG2 (-27.0L)             /* before clamping */
 #define OUTSIDE_PER_GRADIENT 0.00390625L /* coordinates beyond 0..1, times the gradient a pixel: 2^-8 */
 
@@ -133,7 +133,7 @@ static void check_plane_at(const triangle *t, int16_t x, int16_t y, void *contex
     all->pixels++;
 }
 
-/* The greatest error of the gradients in half last bits that a relative 2^-27.8 does not explain. */
+/* The greatest error of the gradients in half last bits that a relative 2^-28.3 does not explain. */
 static void check_gradients(const triangle *t, tally *all)
 {
     const glint_gradients *g = &t->gradients;
@@ -189,7 +189,7 @@ static void planes_keep_their_bound(void **state)
     print_message("    %ld triangles, %ld slivers, %ld pixels\n", all.triangles, all.slivers, all.pixels);
     assert_true(all.pixels > ROUNDS && all.slivers > 100);
     expect_at_most("coordinate beyond 0..1 by its gradient a pixel", all.outside, OUTSIDE_PER_GRADIENT);
-    expect_at_most("gradient, last bits, less 2^-27.8 of it", all.gradient, GRADIENT_ULP);
+    expect_at_most("gradient, last bits, less 2^-28.3 of it", all.gradient, GRADIENT_ULP);
     print_message("    plane, greatest error: %.0Lf units\n", all.plane_units);
     expect_at_most("plane, of its allowed units", all.plane, 1);
 }
