@@ -168,11 +168,6 @@ static inline bool field_square_set_up(field_quadratic *field, const attribute_p
         farthest |= magnitude32(value[k]);
     }
     const int up = clz32(any) - 2;
-    if (tier == GLINT_TIER_GOURAUD) {
-        field->value = ((uint32_t)curve->c_q15[0] << 15) + HALF_LENGTH;
-        field->x = field->y = field->xx = field->xy = field->yy = 0;
-        return true;
-    }
     if (up < 0 || farthest >= (uint32_t)1 << 30 || (any >> 13) * reach > (uint32_t)GLINT_REACH_MOST << 16) {
         return false; /* steep, or so small that M at the anchor lies far outside */
     }

@@ -84,11 +84,6 @@ static inline bool field_square_set_up(field_quadratic *field, const attribute_p
     const float m[3] = {normal[0].value, normal[1].value, normal[2].value};
     const float x[3] = {normal[0].step_x, normal[1].step_x, normal[2].step_x};
     const float y[3] = {normal[0].step_y, normal[1].step_y, normal[2].step_y};
-    if (tier == GLINT_TIER_GOURAUD) {
-        field->value = (float)curve->c_q15[0] * (1.0f / 32768);
-        field->x = field->y = field->xx = field->xy = field->yy = 0.0f;
-        return true;
-    }
     field->value = c0 + c1 * (1.0f - cosine_of(m, m));
     field->x = -2.0f * c1 * cosine_of(m, x);
     field->y = -2.0f * c1 * cosine_of(m, y);

@@ -62,6 +62,9 @@ void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_verte
     gradients->area = area_of(dx, dy, any);
     GLINT_TRACE("gradient area q24", gradients->area);
     gradients->sliver = true;
+    gradients->anchor_x = (int16_t)(a->x >> GLINT_FINE_BITS);
+    gradients->anchor_y = (int16_t)(a->y >> GLINT_FINE_BITS);
+    gradients->offset_x = gradients->offset_y = 0;
     if (gradients->area <= 0) {
         return;
     }
@@ -79,8 +82,6 @@ void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_verte
         return;
     }
     gradients->sliver = false;
-    gradients->anchor_x = (int16_t)(a->x >> GLINT_FINE_BITS);
-    gradients->anchor_y = (int16_t)(a->y >> GLINT_FINE_BITS);
     gradients->offset_x = (int16_t)(GLINT_FINE / 2 - (a->x & (GLINT_FINE - 1)));
     gradients->offset_y = (int16_t)(GLINT_FINE / 2 - (a->y & (GLINT_FINE - 1)));
     /* 1/area = r 2^(-30-area_bits), r < 2^31; the bits of the area that `upper` drops are a relative 2^-31 of it, half

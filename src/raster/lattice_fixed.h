@@ -27,9 +27,7 @@ typedef struct lattice_gradients {
 
 static inline void lattice_prepare(lattice_gradients *to, const glint_gradients *from)
 {
-    const uint32_t any =
-        magnitude32(from->x[0]) | magnitude32(from->x[1]) | magnitude32(from->y[0]) | magnitude32(from->y[1]) | 1;
-    to->up = clz32(any) < 2 ? 0 : clz32(any) - 2; /* all below 2^30 in magnitude */
+    to->up = glint_gradients_spare_bits(from); /* brings all just below 2^30 */
     for (int i = 0; i < 2; i++) {
         to->x[i] = (int32_t)((uint32_t)from->x[i] << to->up);
         to->y[i] = (int32_t)((uint32_t)from->y[i] << to->up);

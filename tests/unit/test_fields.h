@@ -174,11 +174,11 @@ static inline void fields_set_up(const field_triangle *t, triangle_fields *f, ui
     }
     field_dot(&f->dot, t->m, light);
     f->usable = true;
-    for (uint8_t degree = 0; degree < GLINT_CURVE_DEGREES; degree++) {
+    for (uint8_t degree = 1; degree < GLINT_CURVE_DEGREES; degree++) {
         glint_curve_of(class, degree, &f->curve[degree]);
         field_curve_from(&f->polynomial[degree], &f->curve[degree]);
         f->usable = field_square_set_up(&f->square[degree], t->m, &f->curve[degree],
-                                        (uint8_t)(GLINT_TIER_GOURAUD + degree), reach_of(t)) &&
+                                        (uint8_t)(GLINT_TIER_Q1 + degree - 1), reach_of(t)) &&
                     f->usable;
     }
 }

@@ -19,7 +19,7 @@
 /* Budgets, `away` pixels from the anchor (|dx| + |dy|), over a way of 1 and |M'| times that. */
 #define COSINE_ERROR(away, way) ((8 * (away) + 8) / DOT_ONE)
 #define LENGTH_ERROR(away, way) (7.5e-5L + (way) * (way)*ldexpl(1, -27) + ((away) + 64) * (away)*ldexpl(1, -31))
-#define CHANNEL_ERROR(length, away) ((length)*1.74L * ldexpl(1, -14) + (2 * (away) + 4) / CHANNEL_ONE)
+#define CHANNEL_ERROR(length, away) ((length)*0.87L * ldexpl(1, -14) + (2 * (away) + 4) / CHANNEL_ONE)
 #define NORMAL_ERROR(away) (6e-5L + (away)*1e-7L)
 #define RAY_ERROR 7e-5L
 #define GAP_ERROR 2.5e-4L /* as lighting/bound.h states */
@@ -45,7 +45,7 @@ static void random_ray(pixel_rays *rays, long double exact[3], int16_t x, int16_
     }
 }
 
-/* The folded lights' sum, up to 4 long in Q28, is cut to 14 bits: at corner 0's pixel and up to 60 beyond. */
+/* The folded lights' sum, up to 4 long in Q28, is cut to 15 bits: at corner 0's pixel and up to 60 beyond. */
 static void folded_lights_keep_their_bound(void **state)
 {
     long double worst = 0;

@@ -9,6 +9,8 @@
  *   B           A, flat
  *   C           the sphere of 100 triangles: mostly filling
  *   teapot, knot   the scenes of these names in examples/scenes, at the size they are designed for
+ *   room, point-light   of these names there too: directional and point lights, triangles across the near plane; a
+ *               point light so close that its direction turns within a triangle
  *   A-60x60     A at a quarter of its size: the same triangles on a sixteenth of the pixels
  *   A-1x1       A on one pixel: hardly a triangle is left to set up
  *   A-96x64, C-96x64   A and C on a small panel, in bands of 8 rows: what an AVR with 16 KB of RAM can hold
@@ -105,6 +107,12 @@ const cost_case cost_cases[] = {
     {"knot", &demo_torus_knot, OWN_LIGHTS, 240, 240, 0, GOURAUD},
     {"knot", &demo_torus_knot, OWN_LIGHTS, 240, 240, 0, FLAT},
     {"knot", &demo_torus_knot, OWN_LIGHTS, 240, 240, 0, WITHIN(1)},
+    {"room", &demo_room, OWN_LIGHTS, 320, 240, 0, EXACT},
+    {"room", &demo_room, OWN_LIGHTS, 320, 240, 0, GOURAUD},
+    {"room", &demo_room, OWN_LIGHTS, 320, 240, 0, WITHIN(1)},
+    {"point-light", &demo_point_light, OWN_LIGHTS, 320, 240, 0, EXACT},
+    {"point-light", &demo_point_light, OWN_LIGHTS, 320, 240, 0, GOURAUD},
+    {"point-light", &demo_point_light, OWN_LIGHTS, 320, 240, 0, WITHIN(1)},
 #endif
     {"A-96x64", &demo_sphere_32x16, OWN_LIGHTS, 96, 64, 8, EXACT},
     {"A-96x64", &demo_sphere_32x16, OWN_LIGHTS, 96, 64, 8, GOURAUD},

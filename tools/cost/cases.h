@@ -36,9 +36,12 @@ extern const uint16_t cost_case_count;
 /* The case's scene: `data`, with `lights` in place of its own if there are any. */
 glint_scene cost_scene(const cost_case *c);
 
-/* Working memory that frame `c` in `format` takes: every vertex transformed once, every triangle sorted; with a
- * tolerance, each object's ramp of pixels. */
+/* Working memory that frame `c` in `format` can make use of: every vertex transformed once, every triangle sorted; with
+ * a tolerance, each object's ramp of pixels. */
 size_t cost_frame_bytes(const cost_case *c, int backend, uint8_t format);
+
+/* What it cannot be drawn without. */
+size_t cost_frame_least_bytes(const cost_case *c, int backend, uint8_t format);
 
 /* Draws the frame; returns what the library returned. */
 int cost_draw(const cost_case *c, int backend, uint8_t format, glint_flush flush, void *context, void *memory,

@@ -5,16 +5,15 @@
  *     calibration KNOWN COUNTED                  instructions or cycles, and the steps that the counter took for them
  *     unit instructions|cycles
  *     cost SCENE BACKEND SHADING TOLERANCE FIRST SECOND HASH   steps of two frames alike; FNV-1a of a third, fixed only
- *     left SCENE BACKEND SHADING TOLERANCE BYTES     not drawn: takes so much memory, and there is less
- *     failed SCENE BACKEND SHADING TOLERANCE TEXT
+ *     short SCENE BACKEND SHADING TOLERANCE USEFUL GIVEN   before the cost: bytes that the frame can use, and has
+ *     left SCENE BACKEND SHADING TOLERANCE BYTES     not drawn: takes at least so much memory, and there is less
+ *     failed SCENE BACKEND SHADING TOLERANCE ERROR   the negated glint_error: its text would take the AVR's RAM
  *     end
  *
  * A frame is one call of glint_fixed_render() or glint_float_render(), clears included, with a flush function that
  * returns at once. Limits: the counter's step is 40 instructions on QEMU's MPS2 boards; on the AVR its overflow
  * interrupt, every 65,536 cycles, counts as the frame's.
  */
-#include <glint/error.h>
-
 #include "tests/target/platform.h"
 #include "tests/target/selftest.h"
 #include "tools/cost/cases.h"
@@ -89,12 +88,20 @@ __attribute__((noinline)) static uint32_t frame(const cost_case *c, int backend,
 
 static void count(const cost_case *c, int backend)
 {
-    const size_t bytes = cost_frame_bytes(c, backend, GLINT_RGB565);
-    if (bytes == 0 || bytes > cost_memory_bytes) {
+    const size_t useful = cost_frame_bytes(c, backend, GLINT_RGB565);
+    const size_t least = cost_frame_least_bytes(c, backend, GLINT_RGB565);
+    if (least == 0 || least > cost_memory_bytes) {
         begin("left", c, backend);
-        report_decimal((uint32_t)bytes);
+        report_decimal((uint32_t)least);
         report_end();
         return;
+    }
+    const size_t bytes = useful < cost_memory_bytes ? useful : cost_memory_bytes;
+    if (bytes < useful) {
+        begin("short", c, backend);
+        report_decimal((uint32_t)useful);
+        report_decimal((uint32_t)bytes);
+        report_end();
     }
     uint64_t hash = HASH_START;
     uint32_t steps[2] = {0, 0};
@@ -107,7 +114,7 @@ static void count(const cost_case *c, int backend)
     }
     begin(error ? "failed" : "cost", c, backend);
     if (error) {
-        report_word(glint_error_text(error));
+        report_decimal((uint32_t)-error);
     } else {
         report_decimal(steps[0]);
         report_decimal(steps[1]);

@@ -15,9 +15,11 @@ const char *const cost_backend_names[COST_BACKENDS] = {"fixed", "float"};
  * leaves out there. */
 #ifdef __AVR__
 #define FLOAT_MEMORY_BYTES glint_fixed_memory_bytes
+#define FLOAT_LEAST_BYTES glint_fixed_memory_least_bytes
 #define FLOAT_RENDER glint_fixed_render
 #else
 #define FLOAT_MEMORY_BYTES glint_float_memory_bytes
+#define FLOAT_LEAST_BYTES glint_float_memory_least_bytes
 #define FLOAT_RENDER glint_float_render
 #endif
 
@@ -47,6 +49,14 @@ size_t cost_frame_bytes(const cost_case *c, int backend, uint8_t format)
     const size_t bytes =
         backend == COST_FIXED ? glint_fixed_memory_bytes(&scene, &display) : FLOAT_MEMORY_BYTES(&scene, &display);
     return bytes == 0 ? 0 : bytes + ramps;
+}
+
+size_t cost_frame_least_bytes(const cost_case *c, int backend, uint8_t format)
+{
+    const glint_scene scene = cost_scene(c);
+    const glint_display display = display_of(c, format);
+    return backend == COST_FIXED ? glint_fixed_memory_least_bytes(&scene, &display)
+                                 : FLOAT_LEAST_BYTES(&scene, &display);
 }
 
 int cost_draw(const cost_case *c, int backend, uint8_t format, glint_flush flush, void *context, void *memory,

@@ -2,7 +2,7 @@
 /*
  * Writes cost.csv from the reports of the targets (cost.c has their form):
  *
- *     cost-judge TARGET REPORT ...  >cost.csv
+ *     cost-judge DETAILS TARGET REPORT ...  >cost.csv
  *
  * Columns:
  *     target      the processor; what ends in -cycles is counted in cycles, the rest in instructions
@@ -14,7 +14,11 @@
  *                 included; L: the model at each pixel in double precision (exact shading, whatever is counted)
  *     psnr_db     of the same pixels against round(255 L)
  *     promised    the error in codes that the library's report promised; empty where it promises none
+ *
+ * The file DETAILS has a row for each of these, to which its first columns belong (target, scene, backend, shading,
+ * tolerance), and
  *     triangles   drawn: that face the eye and are on the display
+ *     useful, given   bytes of memory that the frame can make use of, and that it got; empty where it got all
  *
  * Errors are of frames drawn here, on the host. The fixed backend draws the same bits everywhere: the hash of each of
  * its frames, drawn on the target in RGB565, is compared with the host's. For float they are the host's alone.
@@ -31,6 +35,7 @@
 #include <string.h>
 
 #include <examples/scenes/scenes.h>
+#include <glint/error.h>
 
 #include "tests/reference/reference.h"
 #include "tests/target/selftest.h"
@@ -53,10 +58,12 @@ typedef struct report {
     const char *target;
     unsigned long step; /* instructions or cycles that a step of the counter stands for; 0: not calibrated */
     char unit[WORD_BYTES];
+    char useful[WORD_BYTES], given[WORD_BYTES]; /* of the frame whose cost comes next; empty: it got all */
     bool ended;
 } report;
 
 static bool good = true;
+static FILE *details;
 
 static void complain(const char *format, ...)
 {
@@ -238,22 +245,20 @@ static void read_cost(const report *r, char **words)
     if (m->promised >= 0) {
         snprintf(promised, sizeof promised, "%.2f", m->promised);
     }
-    printf("%s,%s,%s,%s,%s,%s,%.0f,%.1f,%.2f,%.1f,%s,%lu\n", r->target, r->unit, scene, backend_name, shading,
-           strcmp(tolerance, "-") == 0 ? "" : tolerance, frame, frame / m->covered, m->max_codes, m->psnr_db, promised,
-           (unsigned long)m->triangles);
+    const char *codes = strcmp(tolerance, "-") == 0 ? "" : tolerance;
+    printf("%s,%s,%s,%s,%s,%s,%.0f,%.1f,%.2f,%.1f,%s\n", r->target, r->unit, scene, backend_name, shading, codes, frame,
+           frame / m->covered, m->max_codes, m->psnr_db, promised);
+    fprintf(details, "%s,%s,%s,%s,%s,%lu,%s,%s\n", r->target, scene, backend_name, shading, codes,
+            (unsigned long)m->triangles, r->useful, r->given);
 }
 
 static void read_line(report *r, char *line)
 {
-    enum { MOST_WORDS = 9 };
+    enum { MOST_WORDS = 10 };
     char *words[MOST_WORDS] = {NULL};
     int count = 0;
-    if (strncmp(line, "failed ", 7) == 0) {
-        complain("%s: %s", r->target, line);
-        return;
-    }
     if (strncmp(line, "left ", 5) == 0) {
-        fprintf(stderr, "%s: left out for want of memory: %s bytes\n", r->target, line + 5);
+        fprintf(stderr, "%s: left out for want of memory: %s bytes at least\n", r->target, line + 5);
         return;
     }
     for (char *word = strtok(line, " "); word && count < MOST_WORDS; word = strtok(NULL, " ")) {
@@ -263,8 +268,15 @@ static void read_line(report *r, char *line)
         read_calibration(r, words);
     } else if (count == 2 && strcmp(words[0], "unit") == 0) {
         snprintf(r->unit, sizeof r->unit, "%s", words[1]);
+    } else if (count == 7 && strcmp(words[0], "short") == 0) {
+        snprintf(r->useful, sizeof r->useful, "%s", words[5]);
+        snprintf(r->given, sizeof r->given, "%s", words[6]);
+    } else if (count == 6 && strcmp(words[0], "failed") == 0) {
+        complain("%s: %s %s %s %s: %s", r->target, words[1], words[2], words[3], words[4],
+                 glint_error_text(-atoi(words[5])));
     } else if (count == 8 && strcmp(words[0], "cost") == 0) {
         read_cost(r, words);
+        r->useful[0] = r->given[0] = '\0';
     } else if (count == 1 && strcmp(words[0], "end") == 0) {
         r->ended = true;
     } else if (count > 0 && strcmp(words[0], "cost") == 0) {
@@ -275,7 +287,7 @@ static void read_line(report *r, char *line)
 static void read_report(const char *target, const char *file)
 {
     char line[LINE_BYTES];
-    report r = {target, 0, "", false};
+    report r = {.target = target};
     FILE *in = fopen(file, "r");
     if (!in) {
         complain("%s: cannot read %s", target, file);
@@ -293,13 +305,22 @@ static void read_report(const char *target, const char *file)
 
 int main(int argc, char **argv)
 {
-    if (argc < 3 || argc % 2 == 0) {
-        fprintf(stderr, "usage: cost-judge TARGET REPORT ...  >cost.csv\n");
+    if (argc < 4 || argc % 2 == 1) {
+        fprintf(stderr, "usage: cost-judge DETAILS TARGET REPORT ...  >cost.csv\n");
         return 2;
     }
-    puts("target,unit,scene,backend,shading,tolerance,frame,per_pixel,max_error,psnr_db,promised,triangles");
-    for (int i = 1; i < argc; i += 2) {
+    details = fopen(argv[1], "w");
+    if (!details) {
+        fprintf(stderr, "cost-judge: cannot write %s\n", argv[1]);
+        return 2;
+    }
+    puts("target,unit,scene,backend,shading,tolerance,frame,per_pixel,max_error,psnr_db,promised");
+    fputs("target,scene,backend,shading,tolerance,triangles,useful,given\n", details);
+    for (int i = 2; i < argc; i += 2) {
         read_report(argv[i], argv[i + 1]);
     }
-    return good && fflush(stdout) == 0 ? 0 : 1;
+    if (fclose(details) != 0 || fflush(stdout) != 0) {
+        complain("cannot write to the end");
+    }
+    return good ? 0 : 1;
 }

@@ -10,7 +10,8 @@
 // aside for it. Code costs the same cycles wherever it is: the flash's cache is not modelled, nor contention of the bus.
 //
 // A profile counts each executed instruction of the call of glint_*_render() at its address. What the compiler inlined
-// is told apart by the line tables: addr2line names the innermost function at each address.
+// is told apart by the line tables: addr2line names the functions at each address, innermost first. stages.txt groups
+// them.
 'use strict';
 
 const fs = require('fs');
@@ -137,7 +138,42 @@ function step() {
     }
 }
 
-// The first call of glint_*_render(): how often each address was executed, and its cycles.
+// stages.txt: its stages in order, and which of them a function belongs to ('': none).
+function readStages() {
+    const patterns = [], known = new Map();
+    for (const line of fs.readFileSync(path.join(__dirname, 'stages.txt'), 'latin1').split('\n')) {
+        const [stage, names] = line.split(': ');
+        if (line !== '' && line[0] !== '#') {
+            for (const name of names.trim().split(/ +/)) {
+                patterns.push({ stage, name: name.replace('*', ''), all: name.endsWith('*') });
+            }
+        }
+    }
+    const stageOf = (symbol) => {
+        const name = symbol.replace(/\..*/, ''); // .isra.0, .part.0: the compiler's
+        if (!known.has(name)) {
+            const fitting = patterns.filter((p) => (p.all ? name.startsWith(p.name) : name === p.name));
+            fitting.sort((a, b) => a.all - b.all || b.name.length - a.name.length);
+            known.set(name, fitting.length > 0 ? fitting[0].stage : '');
+        }
+        return known.get(name);
+    };
+    return { stages: [...new Set(patterns.map((p) => p.stage))], stageOf };
+}
+
+const { stages, stageOf } = readStages();
+
+// 1 at the addresses of functions that belong to their callers' stage.
+function helpers() {
+    const marks = new Uint8Array(FLASH_BYTES / 2);
+    for (const { name, address, bytes } of symbols.filter((s) => s.type === 2 && stageOf(s.name) === '')) {
+        marks.fill(1, address >>> 1, (address + bytes + 1) >>> 1);
+    }
+    return marks;
+}
+
+// The first call of glint_*_render(): how often each address was executed, and its cycles; and for
+// each address from which a helper was called, the same of all that the helpers did.
 function profile() {
     const entries = ['glint_fixed_render', 'glint_float_render'].map((name) => symbolNamed(name).address & ~1);
     const counts = new Float64Array(FLASH_BYTES / 2), taken = new Float64Array(FLASH_BYTES / 2);
@@ -148,20 +184,33 @@ function profile() {
         const why = output.split('\n').find((line) => /^(left|failed) /.test(line));
         fail(why || `no case's name begins '${chosen}': tools/cost/cases.c has them`);
     }
+    const isHelper = helpers();
+    const helped = { counts: new Float64Array(FLASH_BYTES / 2), taken: new Float64Array(FLASH_BYTES / 2) };
     const back = core.LR & ~1, stack = core.SP;
+    let caller = core.PC >>> 1;
     while ((core.PC & ~1) !== back || core.SP !== stack) {
         const at = core.PC >>> 1, before = cycles;
         step();
         counts[at]++;
         taken[at] += cycles - before;
+        if (isHelper[at]) {
+            helped.counts[caller]++;
+            helped.taken[caller] += cycles - before;
+        } else {
+            caller = at;
+        }
     }
-    return { counts, taken };
+    return { counts, taken, isHelper, helped };
 }
 
 function table(title, rows, total) {
+    print(title, [...rows].sort((a, b) => b[1].counts - a[1].counts).slice(0, LINES), total);
+}
+
+function print(title, rows, total) {
     console.log(`\n${title}`);
     console.log('instructions      %      cycles       calls  ');
-    for (const [name, row] of [...rows].sort((a, b) => b[1].counts - a[1].counts).slice(0, LINES)) {
+    for (const [name, row] of rows) {
         const share = (100 * row.counts / total).toFixed(1);
         console.log(`${String(row.counts).padStart(12)} ${share.padStart(6)} ${String(row.taken).padStart(11)} ` +
             `${String(row.calls === undefined ? '' : row.calls).padStart(11)}  ${name}`);
@@ -187,15 +236,20 @@ function inlined(addresses) {
     for (const block of tool.stdout.split(/^0x/m).slice(1)) {
         const lines = block.trimEnd().split('\n');
         places.set(parseInt(lines[0], 16), { name: lines[1], line: lines[2].replace(/ \(discriminator.*/, ''),
-            within: lines[lines.length - 2] });
+            within: lines[lines.length - 2], chain: lines.filter((_, i) => i % 2 === 1) });
     }
     return places;
 }
 
-function show({ counts, taken }) {
+function stageAt(place) {
+    return place.chain.map(stageOf).find((stage) => stage !== '') || 'other';
+}
+
+function show({ counts, taken, isHelper, helped }) {
     const functions = symbols.filter((s) => s.type === 2).map((s) => ({ ...s, address: s.address & ~1 }))
         .sort((a, b) => a.address - b.address);
     const bySymbol = new Map(), byFunction = new Map(), byLine = new Map();
+    const byStage = new Map([...stages, 'other'].map((stage) => [stage, { counts: 0, taken: 0 }]));
     const executed = [];
     let total = 0, totalTaken = 0;
     counts.forEach((n, i) => {
@@ -219,11 +273,14 @@ function show({ counts, taken }) {
         const name = place.name === '??' ? functions[at].name : place.name;
         add(byFunction, place.name === place.within || place.name === '??' ? name : `${name}  in ${place.within}`, n, t);
         add(byLine, `${place.line}  ${name}`, n, t);
+        const own = isHelper[address >>> 1] ? 0 : 1;
+        add(byStage, stageAt(place), own * n + helped.counts[address >>> 1], own * t + helped.taken[address >>> 1]);
     }
     console.log(`${chosen}: ${total} instructions, ${totalTaken} cycles, one frame (ARMv6-M on rp2040js)`);
     table(`By function as compiled, self cost; what is inlined counts where it ended up. The first ${LINES}:`, bySymbol, total);
     table(`By function as written, self cost; "a in b": a inlined into b. The first ${LINES}:`, byFunction, total);
     table(`By line. The first ${LINES}:`, byLine, total);
+    print('By stage, see tools/cost/stages.txt:', [...byStage].filter(([, row]) => row.counts > 0), total);
 }
 
 if (chosen) {

@@ -70,7 +70,7 @@ run)
     build=$1
     target=$2
     output=$build/cost/$target.output
-    rm -f "$build/cost/$target.txt"
+    rm -f "$build/cost/$target.txt" "$build/cost/$target.flags"
     status=0
     run "${target%-cycles}" >"$output" </dev/null || status=$?
     if [ $status -ne 0 ] || ! grep -qx end "$output"; then
@@ -94,10 +94,17 @@ table)
         echo "make cost: no target could be counted" >&2
         exit 1
     fi
-    rm -f "$build/cost/cost.csv"
-    "$build/cost-judge" "${reports[@]}" >"$build/cost/cost.csv" || status=$?
-    awk -f tools/cost/table.awk "$build/cost/cost.csv" "$peers"
-    awk -f tools/cost/goals.awk "$peers" "$build/cost/cost.csv"
+    table=$build/cost/cost.csv details=$build/cost/details.csv
+    rm -f "$table" "$details"
+    "$build/cost-judge" "$details" "${reports[@]}" >"$table" || status=$?
+    awk -f tools/cost/table.awk "$details" "$table" "$peers"
+    echo "Compiled with:"
+    for target in "$@"; do
+        if [ -f "$build/cost/$target.txt" ]; then
+            printf '  %-14s %s: %s\n' "$target" "$(head -n 1 "$build/cost/$target.flags")" "$(tail -n 1 "$build/cost/$target.flags")"
+        fi
+    done
+    awk -f tools/cost/goals.awk "$details" "$peers" "$table"
     echo "Written: $build/cost/cost.csv"
     exit $status
     ;;

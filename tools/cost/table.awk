@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
 # Prints cost.csv beside the peers' figures, a line for each scene and shading, a column for each target:
-# awk -f table.awk cost.csv peers.csv
+# awk -f table.awk details.csv cost.csv peers.csv
 #
-# Both have a line of column names, and # begins a comment.
+# All have a line of column names, and # begins a comment.
 BEGIN {
     FS = ","
     target_count = split("m0plus m3 m4f rv32imac m0plus-cycles avr-cycles", targets, " ")
@@ -13,6 +13,15 @@ BEGIN {
     split("", column)
     for (i = 1; i <= NF; i++) { column[$i] = i }
     ours = "backend" in column
+    is_details = "useful" in column
+    next
+}
+is_details {
+    if (value("given") != "") {
+        short[frame_name()] = 1
+        notes[++note_count] = sprintf("  * %s, %s, %s %s %s: %d of the %d bytes of memory that it can use", value("target"), \
+            value("scene"), value("backend"), value("shading"), value("tolerance"), value("given"), value("useful"))
+    }
     next
 }
 {
@@ -32,11 +41,15 @@ BEGIN {
         labels[scene, rows[scene]] = label
         own[scene, rows[scene]] = ours
     }
-    cell[row, value("target")] = figure(value("frame"), value("per_pixel"))
+    cell[row, value("target")] = figure(value("frame"), value("per_pixel")) (ours && frame_name() in short ? "*" : " ")
     add(worst, row, value("max_error"))
     add(psnr, row, value("psnr_db"))
     if (ours) { add(promised, row, value("promised")) }
     if (ours) { has_target[value("target")] = 1 }
+}
+
+function frame_name() {
+    return value("target") SUBSEP value("scene") SUBSEP value("backend") SUBSEP value("shading") SUBSEP value("tolerance")
 }
 
 function value(name) {
@@ -59,7 +72,7 @@ function line(label, row, i, text) {
     text = sprintf("  %-58s", label)
     for (i = 1; i <= target_count; i++) {
         if (targets[i] in has_target) {
-            text = text sprintf(" %17s", (row, targets[i]) in cell ? cell[row, targets[i]] : "-")
+            text = text sprintf(" %18s", (row, targets[i]) in cell ? cell[row, targets[i]] : "- ")
         }
     }
     text = text sprintf("  %8s %11s %8s", worst[row], psnr[row], promised[row])
@@ -71,7 +84,7 @@ END {
     text = sprintf("  %-58s", "")
     for (i = 1; i <= target_count; i++) {
         if (targets[i] in has_target) {
-            text = text sprintf(" %17s", targets[i])
+            text = text sprintf(" %17s ", targets[i])
         }
     }
     print text sprintf("  %8s %11s %8s", "error", "PSNR dB", "promised")
@@ -87,6 +100,7 @@ END {
             }
         }
     }
+    for (i = 1; i <= note_count; i++) { print notes[i] }
     print "A frame in millions of instructions (-cycles: of cycles), clears included, flush empty; in brackets for each"
     print "covered pixel. error: the greatest, in codes of 1/255, against per-pixel Phong in double precision, before display"
     print "quantisation but with the rounding to a code (0.5); PSNR of the same pixels. The others' errors are of the picture"

@@ -35,7 +35,7 @@ THREADED_FLAGS := $(COVERAGE_FLAGS) -fprofile-filter-files=^src/display/flush -f
 NARROW_FLAGS := $(SINGLE_FLAGS) -DGLINT_SMALL_TABLES=1 -DGLINT_WIDE_MULTIPLY=0
 THREADED_TESTS = $(shell grep -l '<pthread.h>' $(TEST_SOURCES))
 SINGLE_TESTS = $(filter-out $(THREADED_TESTS),$(TEST_SOURCES))
-NARROW_TESTS := tests/unit/test_number_unit.c
+NARROW_TESTS := tests/unit/test_number.c tests/unit/test_number_unit.c
 COUNTED_MAKE = $(SUBMAKE) CC=gcc COUNTED=yes
 COUNTED_TESTS = $(THREADED_TESTS:%.c=$(COVERAGE)/threads/%) $(SINGLE_TESTS:%.c=$(COVERAGE)/single/%) \
 	$(NARROW_TESTS:%.c=$(COVERAGE)/narrow/%)
