@@ -78,14 +78,10 @@ static const word backend_words[] = {
 static const word shading_words[] = {{"exact", GLINT_SHADING_EXACT}, {"q2", GLINT_SHADING_Q2},
                                      {"q1", GLINT_SHADING_Q1},       {"gouraud", GLINT_SHADING_GOURAUD},
                                      {"flat", GLINT_SHADING_FLAT},   {NULL, 0}};
-static const word tier_words[] = {{"unlit", GLINT_TIER_UNLIT},
-                                  {"flat", GLINT_TIER_FLAT},
-                                  {"gouraud", GLINT_TIER_GOURAUD},
-                                  {"curved", GLINT_TIER_CURVED},
-                                  {"q1", GLINT_TIER_Q1},
-                                  {"q2", GLINT_TIER_Q2},
-                                  {"exact", GLINT_TIER_EXACT},
-                                  {NULL, 0}};
+static const word tier_words[] = {{"unlit", GLINT_TIER_UNLIT},     {"flat", GLINT_TIER_FLAT},
+                                  {"gouraud", GLINT_TIER_GOURAUD}, {"curved", GLINT_TIER_CURVED},
+                                  {"q1", GLINT_TIER_Q1},           {"q2", GLINT_TIER_Q2},
+                                  {"exact", GLINT_TIER_EXACT},     {NULL, 0}};
 static const word format_words[] = {{"rgb888", GLINT_RGB888}, {"rgb565", GLINT_RGB565},   {"gray8", GLINT_GREY8},
                                     {"gray4", GLINT_GREY4},   {"mono", GLINT_MONO_PAGES}, {NULL, 0}};
 static const word dither_words[] = {{"none", GLINT_DITHER_NONE}, {"bayer", GLINT_DITHER_BAYER}, {NULL, 0}};

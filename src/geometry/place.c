@@ -77,7 +77,7 @@ static int32_t row_times(const int32_t row[3], const int32_t column[3], int32_t 
 glint_place glint_then(const glint_place *first, const glint_place *second)
 {
     int32_t a[3][3], b[3][3];
-    glint_place place;
+    glint_place place = {.origin_q16 = {0}};
     glint_linear_of(first, a);
     glint_linear_of(second, b);
     for (int k = 0; k < 4; k++) { /* three columns and the origin */

@@ -194,7 +194,7 @@ uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_
         return UINT32_MAX;
     }
     /* a unit is 2^(down - 29) / 9, below 2^(down - 28) / 16 */
-    const uint32_t gap_q28 = bent_q28 + ((rounding << size->down) >> 4) + (size->end_q28 >> 17) + 32;
+    const uint32_t gap_q28 = bent_q28 + ((rounding << size->down) >> 4) + (size->end_q28 >> 16) + 32;
     const uint32_t of_gap = multiply_high_u32(gloss << 4, gap_q28) + 1;
     /* 0.0625 turn^4 (1 - turn + 0.45 turn^2) + 1e-4, as Q22 */
     const uint32_t fourth_q16 = (square_q16 * square_q16 >> 16) + 1;

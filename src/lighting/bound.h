@@ -167,7 +167,7 @@ typedef struct glint_cubic_size {
  * turn^2 + 0.0136 turn view + 0.0064 view^2), 1/|M|^2 by a relative 0.0625 turn^4 (1 - turn + 0.45 turn^2) (searched
  * for like the above). Rounding adds to the former at n pixels from the centroid C(n, 3) units of 2^(down - 29) / 9 for
  * the rounding of a third difference, C(n, 2) for that of a second and n for a first, each half a unit and what its
- * products were cut by; and the table's argument is cut to 2^-17 of its end. All of it counts `gloss` times, the
+ * products were cut by; and the table's argument is cut to 2^-16 of its end. All of it counts `gloss` times, the
  * specular peak times the exponent. The relative errors of 1/|M|^2, with 1e-4 for rounding, are of a gap g, and g
  * exponent (1 - g)^(exponent - 1) is at most 1 for exponents from 1 on, 1/2 from 2 on, which `specular` is to account
  * for. UINT32_MAX where there is no bound: coefficients may not fit where `up` is below 2.

@@ -78,6 +78,7 @@ static inline bool gloss_corners_set_up(gloss_corners *corners, const pixel_rays
 {
     for (int i = 0; i < 3; i++) {
         const int from = order[i];
+        /* cppcheck-suppress uninitvar ; set here */
         if (!gloss_ray(rays, screen[from], corners->ray[i])) {
             return false;
         }
@@ -197,7 +198,8 @@ static inline gap_scale gap_scale_of(uint32_t end_q28, int down)
     return scale;
 }
 
-/* A cubic's value below the limit, rounded to 16 bits of that, which costs 2^-17 of it; GAP_BEYOND above. */
+/* A cubic's value below the limit, rounded to 15 bits of that and more, which costs up to 2^-16 of it; GAP_BEYOND
+ * above. */
 typedef uint32_t gap_part;
 
 #define GAP_BEYOND UINT32_MAX

@@ -22,8 +22,8 @@ static inline bool gloss_corners_set_up(gloss_corners *corners, const pixel_rays
 {
     for (int i = 0; i < 3; i++) {
         const int from = order[i];
-        const float x = (float)(screen[from]->x - GLINT_FINE / 2) * (1.0f / GLINT_FINE);
-        const float y = (float)(screen[from]->y - GLINT_FINE / 2) * (1.0f / GLINT_FINE);
+        const float x = (float)(screen[from]->x - (GLINT_FINE >> 1)) * (1.0f / GLINT_FINE);
+        const float y = (float)(screen[from]->y - (GLINT_FINE >> 1)) * (1.0f / GLINT_FINE);
         for (int k = 0; k < 3; k++) {
             corners->ray[i][k] = rays->v[0][k] + x * rays->v[1][k] + y * rays->v[2][k];
             corners->normal[i][k] = lattice_weigh(normal[from][k], weight_q15[from]);

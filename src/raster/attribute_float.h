@@ -113,8 +113,8 @@ static inline void surface_set_ray(surface *at, const pixel_rays *rays, int16_t 
 
 static inline bool surface_set_vertex_ray(surface *at, const pixel_rays *rays, const glint_screen_vertex *vertex)
 {
-    const float x = (float)(vertex->x - GLINT_FINE / 2) * (1.0f / GLINT_FINE);
-    const float y = (float)(vertex->y - GLINT_FINE / 2) * (1.0f / GLINT_FINE);
+    const float x = (float)(vertex->x - (GLINT_FINE >> 1)) * (1.0f / GLINT_FINE);
+    const float y = (float)(vertex->y - (GLINT_FINE >> 1)) * (1.0f / GLINT_FINE);
     for (int k = 0; k < 3; k++) {
         at->ray[k] = rays->v[0][k] + x * rays->v[1][k] + y * rays->v[2][k];
     }

@@ -6,10 +6,10 @@
  *
  * In the barycentric coordinates b1, b2 of corners 1 and 2 the coefficients are small combinations of the values; and
  * on the screen b1 and b2 are linear, see gradients.h. All arithmetic is modulo 2^32 like that of plane.h: a value
- * inside the triangle is right, and does not depend on where the steps to it began. With values below 2^30 (2^27 for
- * the degree 3), coefficients are below 2^31. Each coefficient on the screen is rounded to one unit (a product before
- * it, cut to 30 bits and more, costs less), so n = |dx| + |dy| pixels from the anchor a polynomial errs by at most n^2
- * / 2 + 3 n + 4 units, or n^3 / 6 + n^2 + 8 n + 16.
+ * inside the triangle is right, and does not depend on where the steps to it began. With values below 2^30 (2^26 for
+ * degree 3), coefficients are below 2^31. Rounding of the coefficients on the screen, n = |dx| + |dy| pixels from the
+ * anchor and with gradients `up` bits below 1/2 a pixel, costs a polynomial of degree 2 at most (1/2 + 3 2^(2 - 2 up))
+ * (n + 1)^2 + (3 + 2 2^(2 - up)) (n + 1) units; glint_bound_cubic() has what it costs one of degree 3.
  */
 #ifndef GLINT_RASTER_LATTICE_FIXED_H
 #define GLINT_RASTER_LATTICE_FIXED_H
@@ -197,17 +197,20 @@ static inline void lattice_cubic(field_cubic *field, const lattice_gradients *gr
     const uint32_t xxy = lattice_second(p, gradients->xy, 3 * up - 3 - CUBIC_FINER);
     const uint32_t xyy = lattice_second(p, gradients->yy, 3 * up - 4 - CUBIC_FINER);
     const uint32_t yyy = lattice_second(q, gradients->yy, 3 * up - 4 - CUBIC_FINER);
-    /* From the centroid to the pixel's centre: a derivative's change is its own derivative's mean times the way, but
-     * for what the third derivative changes the value by in half a pixel: at most 1/96 of it. */
+    /* From the centroid to the pixel's centre: a derivative's change is its own derivative's mean times the way, less a
+     * twelfth of what that derivative's own derivative changes by on the way. */
     const uint32_t xx = xx_0 + lattice_part(xxx, offset_x) + lattice_part(xxy, offset_y);
     const uint32_t xy = xy_0 + lattice_part(xxy, offset_x) + lattice_part(xyy, offset_y);
     const uint32_t yy = yy_0 + lattice_part(xyy, offset_x) + lattice_part(yyy, offset_y);
     const uint32_t x = x_0 + lattice_mean(lattice_part(xx_0 + xx, offset_x) + lattice_part(xy_0 + xy, offset_y));
     const uint32_t y = y_0 + lattice_mean(lattice_part(xy_0 + xy, offset_x) + lattice_part(yy_0 + yy, offset_y));
+    const uint32_t along_x = lattice_part(xx - xx_0, offset_x) + 2 * lattice_part(xy - xy_0, offset_y);
+    const uint32_t turned = lattice_part(along_x, offset_x) + lattice_part(lattice_part(yy - yy_0, offset_y), offset_y);
+    const int32_t twelfth_q16 = 5461, sixth_q16 = 10923;
     field->value = ((uint32_t)value[9] << CUBIC_FINER) +
-                   lattice_mean(lattice_part(x_0 + x, offset_x) + lattice_part(y_0 + y, offset_y));
+                   lattice_mean(lattice_part(x_0 + x, offset_x) + lattice_part(y_0 + y, offset_y)) -
+                   (uint32_t)multiply_q16((int32_t)turned, twelfth_q16);
     /* from derivatives to differences: n^2 / 2 = C(n, 2) + n / 2, n^3 / 6 = C(n, 3) + C(n, 2) + n / 6 */
-    const int32_t sixth_q16 = 10923;
     field->x = x + lattice_mean(xx) + (uint32_t)multiply_q16((int32_t)xxx, sixth_q16);
     field->y = y + lattice_mean(yy) + (uint32_t)multiply_q16((int32_t)yyy, sixth_q16);
     field->xx = xx + xxx;

@@ -93,8 +93,8 @@ static inline lattice_centre lattice_centre_of(const glint_screen_vertex *const 
     const int32_t x = (corner[0]->x + corner[1]->x + corner[2]->x) / 3,
                   y = (corner[0]->y + corner[1]->y + corner[2]->y) / 3;
     const lattice_centre centre = {(int16_t)(x >> GLINT_FINE_BITS), (int16_t)(y >> GLINT_FINE_BITS),
-                                   (float)(GLINT_FINE / 2 - (x & (GLINT_FINE - 1))) * (1.0f / GLINT_FINE),
-                                   (float)(GLINT_FINE / 2 - (y & (GLINT_FINE - 1))) * (1.0f / GLINT_FINE)};
+                                   (float)((GLINT_FINE >> 1) - (x & (GLINT_FINE - 1))) * (1.0f / GLINT_FINE),
+                                   (float)((GLINT_FINE >> 1) - (y & (GLINT_FINE - 1))) * (1.0f / GLINT_FINE)};
     return centre;
 }
 
@@ -132,7 +132,9 @@ static inline void lattice_cubic(field_cubic *field, const lattice_gradients *gr
     const float yy = yy_0 + offset_x * xyy + offset_y * yyy;
     const float x = x_0 + 0.5f * (offset_x * (xx_0 + xx) + offset_y * (xy_0 + xy));
     const float y = y_0 + 0.5f * (offset_x * (xy_0 + xy) + offset_y * (yy_0 + yy));
-    field->value = value[9] + 0.5f * (offset_x * (x_0 + x) + offset_y * (y_0 + y));
+    const float turned =
+        offset_x * (offset_x * (xx - xx_0) + 2.0f * offset_y * (xy - xy_0)) + offset_y * offset_y * (yy - yy_0);
+    field->value = value[9] + 0.5f * (offset_x * (x_0 + x) + offset_y * (y_0 + y)) - turned * (1.0f / 12);
     field->x = x + 0.5f * xx + xxx * (1.0f / 6);
     field->y = y + 0.5f * yy + yyy * (1.0f / 6);
     field->xx = xx + xxx;

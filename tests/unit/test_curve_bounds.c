@@ -271,7 +271,7 @@ typedef struct search {
 
 static long double greatest_error(const search *what, const measure *at, const shape *now)
 {
-    long double value[LATTICE][3], greatest = 0;
+    long double value[LATTICE][3] = {{0}}, greatest = 0;
     for (int n = 0; n < at->nodes; n++) {
         what->of(now, at->node[n], value[n]);
     }

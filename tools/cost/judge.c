@@ -273,7 +273,7 @@ static void read_line(report *r, char *line)
         snprintf(r->given, sizeof r->given, "%s", words[6]);
     } else if (count == 6 && strcmp(words[0], "failed") == 0) {
         complain("%s: %s %s %s %s: %s", r->target, words[1], words[2], words[3], words[4],
-                 glint_error_text(-atoi(words[5])));
+                 glint_error_text(-(int)strtol(words[5], NULL, 10)));
     } else if (count == 8 && strcmp(words[0], "cost") == 0) {
         read_cost(r, words);
         r->useful[0] = r->given[0] = '\0';

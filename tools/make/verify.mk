@@ -60,6 +60,7 @@ $(TIDY_TARGETS): tidy/%: %
 	@rm -f $(B)/$(subst /,-,$*).tidy
 $(TIDY_TARGETS): | $(B)/host-flags
 
+# ctuuninitvar does not see what a callee sets of a structure whose other members follow after the call.
 # missingIncludeSystem is about the system's headers; for want of them cppcheck mistakes the types of printf's
 # arguments, which -Wformat of both compilers checks with the true ones.
 .PHONY: cppcheck
@@ -67,6 +68,7 @@ cppcheck: ## cppcheck over library, tools, examples and tests
 	@mkdir -p $(B)/cppcheck
 	@cppcheck --quiet --std=c99 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 -j $(JOBS) \
 		--cppcheck-build-dir=$(B)/cppcheck --suppress=missingIncludeSystem --suppress=preprocessorErrorDirective \
+		--suppress=ctuuninitvar \
 		--suppress=invalidPrintfArgType_sint --suppress=invalidPrintfArgType_uint \
 		-D__GNUC__ $(HOST_INCLUDES) $(filter-out tests/target/%,$(CHECKED_SOURCES))
 
