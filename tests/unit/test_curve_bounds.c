@@ -396,7 +396,7 @@ static void highlights_err_by_both_turns(void **state)
 {
     static const long double turns[][2] = {{0.6L, 0.03L}, {0.03L, 0.3L}, {0.1L, 0.1L},  {0.65L, 0.3L}, {0.3L, 0.3L},
                                            {0.6L, 0.05L}, {0.3L, 0.1L},  {0.2L, 0.45L}, {0.1L, 0.2L},  {0.4L, 0.4L}};
-    long double found[sizeof turns / sizeof *turns], of_bound = 0;
+    long double found[sizeof turns / sizeof *turns] = {0}, of_bound = 0;
     (void)state;
     for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
         const long double turn = turns[i][0], view = turns[i][1];
