@@ -31,7 +31,8 @@ enum {
 };
 
 /*
- * With a tolerance, each triangle is drawn by the cheapest tier whose proven error stays within it:
+ * With a tolerance, each triangle is drawn by the cheapest tier whose greatest error stays within it; where no tier's
+ * does (a bright highlight of a large exponent), by the exact one, and promise_q8 of the report is above the tolerance:
  *
  * unlit:   no light reaches it: one colour, the ambient term.
  * flat:    one colour.
@@ -43,8 +44,8 @@ enum {
  *
  * The error counts against the model in real numbers with the perspective-correct, renormalised normal, in codes of
  * 1/255 of a channel before the display's own quantisation; 1/2 of it is the rounding to whole codes. Not counted is
- * what moving the surface by 2^-12 px changes, to which vertices are rounded. The formulas and
- * the bounds are in lighting/bound.h.
+ * what moving the surface by 2^-12 px changes, to which vertices are rounded. The formulas and the bounds are in
+ * lighting/bound.h, and docs/proofs.md says which of them are proved and which are found by search.
  */
 enum {
     GLINT_TIER_UNLIT = 0,
