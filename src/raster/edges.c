@@ -74,7 +74,7 @@ static inline uint32_t set_up_edge(glint_edges *edges, int i, int32_t x, int32_t
 {
     const int32_t dx = x - x_to, dy = y - y_to; /* < 2^20 */
     /* 0 on a left or top edge, dy < 0, or dy = 0 and dx > 0; else -1 */
-    const int32_t bias = (((dx - 1) >> 31) - dy) >> 31;
+    const int32_t turned = -(int32_t)((uint32_t)(dx - 1) >> 31) - dy, bias = -(int32_t)((uint32_t)turned >> 31);
     /* whole pixels aside: below 2^20 times below 2^8, so < 2^29 before the shift */
     const int32_t part = (dx * (uint8_t)y - dy * (uint8_t)x + bias) >> GLINT_SUBPIXEL_BITS;
     const int32_t columns = x >> GLINT_SUBPIXEL_BITS, rows = y >> GLINT_SUBPIXEL_BITS;

@@ -128,12 +128,13 @@ static inline void lattice_cubic(field_cubic *field, const lattice_gradients *gr
     const float x_0 = a1 * gradients->x[0] + a2 * gradients->x[1], y_0 = a1 * gradients->y[0] + a2 * gradients->y[1];
     const float xx_0 = 2.0f * lattice_second(second, gradients->xx), xy_0 = lattice_second(second, gradients->xy);
     const float yy_0 = 2.0f * lattice_second(second, gradients->yy);
-    const float xx = xx_0 + offset_x * xxx + offset_y * xxy, xy = xy_0 + offset_x * xxy + offset_y * xyy;
-    const float yy = yy_0 + offset_x * xyy + offset_y * yyy;
+    /* what the second derivatives change by from the centroid to the pixel's centre */
+    const float xx_more = offset_x * xxx + offset_y * xxy, xy_more = offset_x * xxy + offset_y * xyy;
+    const float yy_more = offset_x * xyy + offset_y * yyy;
+    const float xx = xx_0 + xx_more, xy = xy_0 + xy_more, yy = yy_0 + yy_more;
     const float x = x_0 + 0.5f * (offset_x * (xx_0 + xx) + offset_y * (xy_0 + xy));
     const float y = y_0 + 0.5f * (offset_x * (xy_0 + xy) + offset_y * (yy_0 + yy));
-    const float turned =
-        offset_x * (offset_x * (xx - xx_0) + 2.0f * offset_y * (xy - xy_0)) + offset_y * offset_y * (yy - yy_0);
+    const float turned = offset_x * (offset_x * xx_more + 2.0f * offset_y * xy_more) + offset_y * offset_y * yy_more;
     field->value = value[9] + 0.5f * (offset_x * (x_0 + x) + offset_y * (y_0 + y)) - turned * (1.0f / 12);
     field->x = x + 0.5f * xx + xxx * (1.0f / 6);
     field->y = y + 0.5f * yy + yyy * (1.0f / 6);
