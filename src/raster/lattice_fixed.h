@@ -206,7 +206,7 @@ static inline void lattice_cubic(field_cubic *field, const lattice_gradients *gr
     const uint32_t y = y_0 + lattice_mean(lattice_part(xy_0 + xy, offset_x) + lattice_part(yy_0 + yy, offset_y));
     const uint32_t along_x = lattice_part(xx - xx_0, offset_x) + 2 * lattice_part(xy - xy_0, offset_y);
     const uint32_t turned = lattice_part(along_x, offset_x) + lattice_part(lattice_part(yy - yy_0, offset_y), offset_y);
-    const int32_t third_q16 = 21845, sixth_q16 = 10923;
+    const int32_t third_q16 = 21845, sixth_q16 = 10923; /* a twelfth is a quarter of a third: 2 bits more exact */
     field->value = ((uint32_t)value[9] << CUBIC_FINER) +
                    lattice_mean(lattice_part(x_0 + x, offset_x) + lattice_part(y_0 + y, offset_y)) -
                    (uint32_t)(multiply_q16((int32_t)turned, third_q16) >> 2);

@@ -5,6 +5,7 @@
 #ifndef GLINT_TESTS_UNIT_BOUND_TRIANGLE_H
 #define GLINT_TESTS_UNIT_BOUND_TRIANGLE_H
 
+#include "tests/unit/directions.h"
 #include "tests/unit/numeric.h"
 
 #include "lighting/bound.h"
@@ -19,26 +20,6 @@ typedef struct case_triangle {
     int32_t inverse_depth[3];
     glint_bound bound;
 } case_triangle;
-
-static inline long double dot3(const long double a[3], const long double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static inline void random_direction(long double v[3])
-{
-    long double square;
-    do {
-        square = 0;
-        for (int k = 0; k < 3; k++) {
-            v[k] = 2 * random_unit() - 1;
-            square += v[k] * v[k];
-        }
-    } while (square > 1 || square < 0.01L);
-    for (int k = 0; k < 3; k++) {
-        v[k] /= sqrtl(square);
-    }
-}
 
 /* Normals that lie apart by anything from a unit of Q15 to beyond a right angle; depths from alike to 1 : 64. */
 static inline void random_triangle(case_triangle *t)

@@ -8,6 +8,7 @@
 #ifndef GLINT_TESTS_UNIT_TEST_CURVES_H
 #define GLINT_TESTS_UNIT_TEST_CURVES_H
 
+#include "tests/unit/directions.h"
 #include "tests/unit/numeric.h"
 
 #include "raster/edges.h"
@@ -25,25 +26,6 @@ typedef struct curve_triangle {
     lattice_gradients lattice;
     lattice_centre centre;
 } curve_triangle;
-
-static inline long double dot3(const long double a[3], const long double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static inline void random_direction(long double v[3])
-{
-    long double square;
-    do {
-        for (int k = 0; k < 3; k++) {
-            v[k] = 2 * random_unit() - 1;
-        }
-        square = dot3(v, v);
-    } while (square > 1 || square < 0.01L);
-    for (int k = 0; k < 3; k++) {
-        v[k] /= sqrtl(square);
-    }
-}
 
 /* Of any size that fits size_px, every third one thin; false for slivers and for those that cover no pixel. */
 static inline bool random_triangle(curve_triangle *t, int size_px)
