@@ -36,6 +36,10 @@ const char *glint_error_text(int error)
         return "a material's exponent is above 1024";
     case GLINT_ERROR_SPECULAR_MODEL:
         return "a material's specular_model is unknown";
+    case GLINT_ERROR_EMISSION:
+        return "a material has an emission below 0 or above 1";
+    case GLINT_ERROR_SIDES:
+        return "a material's sides are unknown";
     case GLINT_ERROR_LIGHT_KIND:
         return "a light's kind is unknown";
     case GLINT_ERROR_LIGHT_DIRECTION:
@@ -50,6 +54,13 @@ const char *glint_error_text(int error)
         return "the scene's ambient light is negative";
     case GLINT_ERROR_BACKGROUND:
         return "the scene's background colour is below 0 or above 1";
+    case GLINT_ERROR_LIGHT_DISTANCE:
+        return "a light's attenuation has a distance out of range (1/256 to 16384 world units, or 0)";
+    case GLINT_ERROR_LIGHT_CONE:
+        return "a spot light's inner cone is not at least 1 degree within the outer one, or that is wider than 90 "
+               "degrees";
+    case GLINT_ERROR_FOG:
+        return "the fog does not end at least 1/256 behind where it begins, or a field of it is out of range";
     case GLINT_ERROR_CAMERA_DIRECTION:
         return "the camera's eye and target are the same point";
     case GLINT_ERROR_CAMERA_UP:

@@ -63,24 +63,57 @@ static int check_material(const glint_material *material)
     if (material->exponent_q4 > GLINT_MAX_EXPONENT * 16) {
         return GLINT_ERROR_EXPONENT;
     }
-    return material->specular_model > GLINT_BLINN ? GLINT_ERROR_SPECULAR_MODEL : GLINT_OK;
+    if (material->specular_model > GLINT_BLINN) {
+        return GLINT_ERROR_SPECULAR_MODEL;
+    }
+    if (material->sides > GLINT_TWO_SIDED) {
+        return GLINT_ERROR_SIDES;
+    }
+    return in_range(&material->emission, ONE_Q14) ? GLINT_OK : GLINT_ERROR_EMISSION;
 }
 
+static bool distance_in_range(uint32_t distance_q16)
+{
+    return distance_q16 == 0 || (distance_q16 >= GLINT_LEAST_DISTANCE_Q16 && distance_q16 <= GLINT_MAX_DISTANCE_Q16);
+}
+
+/* A field that the light's kind has no use for may hold anything. */
 static int check_light(const glint_light *light)
 {
     if (!in_range(&light->colour, INT16_MAX)) {
         return GLINT_ERROR_LIGHT_COLOUR;
     }
-    switch (light->kind) {
-    case GLINT_DIRECTIONAL:
-        return light->direction[0] == 0 && light->direction[1] == 0 && light->direction[2] == 0
-                   ? GLINT_ERROR_LIGHT_DIRECTION
-                   : GLINT_OK;
-    case GLINT_POINT:
-        return position_in_range(light->position_q16) ? GLINT_OK : GLINT_ERROR_LIGHT_POSITION;
-    default:
+    if (light->kind > GLINT_SPOT) {
         return GLINT_ERROR_LIGHT_KIND;
     }
+    if (light->kind != GLINT_POINT && light->direction[0] == 0 && light->direction[1] == 0 &&
+        light->direction[2] == 0) {
+        return GLINT_ERROR_LIGHT_DIRECTION;
+    }
+    if (light->kind == GLINT_DIRECTIONAL) {
+        return GLINT_OK;
+    }
+    if (!position_in_range(light->position_q16)) {
+        return GLINT_ERROR_LIGHT_POSITION;
+    }
+    if (!distance_in_range(light->attenuation.unit_q16) || !distance_in_range(light->attenuation.range_q16)) {
+        return GLINT_ERROR_LIGHT_DISTANCE;
+    }
+    return light->kind == GLINT_SPOT && (light->outer_turn16 > GLINT_WIDEST_CONE_TURN16 ||
+                                         (uint32_t)light->inner_turn16 + GLINT_LEAST_CONE_TURN16 > light->outer_turn16)
+               ? GLINT_ERROR_LIGHT_CONE
+               : GLINT_OK;
+}
+
+static int check_fog(const glint_fog *fog)
+{
+    if (fog->begin_q16 == 0 && fog->end_q16 == 0) {
+        return GLINT_OK;
+    }
+    return fog->begin_q16 >= 0 && fog->end_q16 >= 0 && (uint32_t)fog->end_q16 <= GREATEST_COORDINATE_Q16 &&
+                   fog->end_q16 - fog->begin_q16 >= GLINT_LEAST_DISTANCE_Q16 && in_range(&fog->colour, ONE_Q14)
+               ? GLINT_OK
+               : GLINT_ERROR_FOG;
 }
 
 static int check_camera(const glint_camera *camera)
@@ -169,13 +202,15 @@ int glint_validate(const glint_scene *scene, const glint_display *display, const
         (quality->tolerance < GLINT_LEAST_TOLERANCE || quality->shading != GLINT_SHADING_EXACT)) {
         return GLINT_ERROR_TOLERANCE;
     }
-    if (!in_range(&scene->ambient, INT16_MAX)) {
+    if (!in_range(&scene->ambient, INT16_MAX) || !in_range(&scene->sky, INT16_MAX) ||
+        !in_range(&scene->ground, INT16_MAX)) {
         return GLINT_ERROR_AMBIENT;
     }
     if (!in_range(&scene->background, ONE_Q14)) {
         return GLINT_ERROR_BACKGROUND;
     }
     error = check_camera(scene->camera);
+    error = error ? error : check_fog(&scene->fog);
     for (uint16_t i = 0; !error && i < scene->light_count; i++) {
         error = check_light(&scene->lights[i]);
     }

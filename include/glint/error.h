@@ -35,15 +35,21 @@ typedef enum glint_error {
     GLINT_ERROR_REFLECTANCE = -30, /* below 0 or above 1 */
     GLINT_ERROR_EXPONENT = -31,    /* above GLINT_MAX_EXPONENT */
     GLINT_ERROR_SPECULAR_MODEL = -32,
+    GLINT_ERROR_EMISSION = -33, /* below 0 or above 1 */
+    GLINT_ERROR_SIDES = -34,    /* unknown choice of sides */
 
     /* lights */
     GLINT_ERROR_LIGHT_KIND = -40,
     GLINT_ERROR_LIGHT_DIRECTION = -41, /* zero vector */
     GLINT_ERROR_LIGHT_COLOUR = -42,    /* negative */
     GLINT_ERROR_LIGHT_POSITION = -43,  /* out of range */
-    GLINT_ERROR_AMBIENT = -44,         /* scene ambient negative */
+    GLINT_ERROR_AMBIENT = -44,         /* the scene's ambient, sky or ground light negative */
     GLINT_ERROR_BACKGROUND = -45,      /* background colour below 0 or above 1 */
     GLINT_ERROR_LIGHT_COUNT = -46,     /* more than GLINT_MAX_LIGHTS */
+    GLINT_ERROR_LIGHT_DISTANCE = -47,  /* a distance of the attenuation out of range */
+    GLINT_ERROR_LIGHT_CONE = -48,      /* a spot light's cones: inner not below outer, less than a degree apart, wider
+                                        * than a right angle */
+    GLINT_ERROR_FOG = -49,             /* fog that ends before it begins, out of range, or of a colour that is */
 
     /* camera */
     GLINT_ERROR_CAMERA_DIRECTION = -50, /* eye equals target */

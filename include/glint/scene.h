@@ -17,6 +17,20 @@
  * point's distance from the eye) has no direction there and adds neither term. 0^0 is 1: with alpha = 0 the specular
  * term is 1 wherever n.s_j > 0. L is clamped to 0..1 once, after the sum. A displayed code is round(255 L): the model
  * works on display codes, with no gamma conversion.
+ *
+ * A scene may call for more than that; what it leaves at zero is not there and costs nothing:
+ *
+ *     L = e + r_a I_a(n) + sum_j I_j a_j(d_j) b_j(s_j) [ ... ]                 emission, hemisphere, attenuation, spot
+ *     displayed: (1 - f) L + f F                                               fog
+ *
+ * e          emission of the surface, glint_material.emission
+ * I_a(n)     ambient light: scene.ambient everywhere, and scene.sky and scene.ground by the normal,
+ *            I_a + sky (1 + n.u) / 2 + ground (1 - n.u) / 2, u the world's up: secondary light from a bright sky
+ *            above and a ground below, each a hemisphere of one brightness, as a convex surface sees them
+ *            (the isotropic sky of B. Y. H. Liu and R. C. Jordan, Solar Energy 7(2), 1963)
+ * a_j(d)     attenuation with the distance d from a point or spot light, see glint_light
+ * b_j(s)     the cone of a spot light, see glint_light
+ * f          fog by the depth Z along the view direction, see glint_fog
  */
 #ifndef GLINT_SCENE_H
 #define GLINT_SCENE_H
@@ -51,6 +65,13 @@ enum {
     GLINT_BLINN = 1  /* n.h */
 };
 
+/* Which sides of a triangle are drawn. */
+enum {
+    GLINT_FRONT_SIDE = 0, /* the outside: triangles that turn away are culled */
+    GLINT_EACH_SIDE = 1,  /* both, lit by the stored normals: an inside is lit as the outside is */
+    GLINT_TWO_SIDED = 2   /* both; where the inside is seen, the normal is taken the other way round */
+};
+
 /* What a surface does with light. Reflectances are 0..1 (16384) in each channel. */
 typedef struct glint_material {
     glint_colour ambient;   /* r_a */
@@ -58,6 +79,8 @@ typedef struct glint_material {
     glint_colour specular;  /* r_s */
     uint16_t exponent_q4;   /* alpha in sixteenths: 0..GLINT_MAX_EXPONENT * 16; 32 is written 32 * 16 */
     uint8_t specular_model; /* GLINT_PHONG (default) or GLINT_BLINN */
+    uint8_t sides;          /* GLINT_FRONT_SIDE (default) ... */
+    glint_colour emission;  /* e: light that the surface sends out whatever falls on it, 0..1 */
 } glint_material;
 
 /*
@@ -85,15 +108,61 @@ typedef struct glint_object {
 
 enum {
     GLINT_DIRECTIONAL = 0, /* parallel light, travelling along `direction` */
-    GLINT_POINT = 1        /* light from `position_q16` in all directions, without attenuation */
+    GLINT_POINT = 1,       /* light from `position_q16` in all directions */
+    GLINT_SPOT = 2         /* light from `position_q16` within a cone about `direction` */
 };
 
+/*
+ * Attenuation of a point or spot light at the distance d, with t = d / unit:
+ *
+ *     a(d) = min(1, 1 / (k0 + k1 t + k2 t^2)) w(d),      w(d) = max(0, 1 - (d / range)^4)
+ *
+ * The quotient is that of the fixed-function pipelines (OpenGL 1.1, section 2.13.1; OBJ and COLLADA files mean it),
+ * here never above 1, so that a surface near the light is lit as brightly as `colour` says and no brighter. w(d) lets
+ * the light end at `range` (glTF's KHR_lights_punctual recommends this window); beyond it the light is not even looked
+ * at. All of k0, k1, k2 zero means no quotient (1), range zero no window (1).
+ */
+typedef struct glint_attenuation {
+    uint16_t k_q14[3];  /* k0, k1, k2 in Q14: 0..3.99994 */
+    uint32_t unit_q16;  /* the distance that t counts in, Q16 world units; 0: one world unit */
+    uint32_t range_q16; /* Q16 world units; 0: none */
+} glint_attenuation;
+
+/* unit_q16 and range_q16: 0, or 2^-8..2^14 world units. */
+#define GLINT_LEAST_DISTANCE_Q16 256
+#define GLINT_MAX_DISTANCE_Q16 ((uint32_t)1 << 30)
+
+/* The cones of a spot light: at most a right angle from the axis, at least a degree apart. */
+#define GLINT_WIDEST_CONE_TURN16 16384
+#define GLINT_LEAST_CONE_TURN16 182
+
+/*
+ * The cone of a spot light: with x the angle between `direction` and the way from the light to the surface,
+ *
+ *     b = 1 for x <= inner,  0 for x >= outer,  ((cos x - cos outer) / (cos inner - cos outer))^2 between
+ *
+ * (as in glTF's KHR_lights_punctual).
+ */
 typedef struct glint_light {
     uint8_t kind;
-    int16_t direction[3];    /* directional: the way the light travels (s = -direction); any length but 0 */
-    int32_t position_q16[3]; /* point: world position, Q16; |position_q16| <= 2^30 */
-    glint_colour colour;     /* intensity in Q14: 0..1.99994, diffuse and specular alike */
+    int16_t direction[3];          /* directional, spot: the way the light travels (s = -direction); any length but 0 */
+    int32_t position_q16[3];       /* point, spot: world position, Q16; |position_q16| <= 2^30 */
+    glint_colour colour;           /* intensity in Q14: 0..1.99994, diffuse and specular alike */
+    glint_attenuation attenuation; /* point, spot; zero: none */
+    /* spot: half the angle of the cones, 1/65536 turn: 0 <= inner < outer <= 16384 (90 degrees), and the two at least
+     * 182 (1 degree) apart */
+    uint16_t inner_turn16, outer_turn16;
 } glint_light;
+
+/*
+ * Fog: f = clamp((Z - begin) / (end - begin)) of the colour F is mixed in at the depth Z, the distance along the view
+ * direction. The linear fog of OpenGL 1.1. The background is left as it is.
+ */
+typedef struct glint_fog {
+    glint_colour colour; /* F, 0..1 */
+    int32_t begin_q16;   /* world units, Q16: 0..2^30 */
+    int32_t end_q16;     /* above begin_q16 by 2^-8 at least; both 0: no fog */
+} glint_fog;
 
 /*
  * A perspective camera. View space: x right, y down, z along the view direction, in world units.
@@ -118,8 +187,11 @@ typedef struct glint_scene {
     const glint_light *lights;
     uint16_t object_count;
     uint16_t light_count;
-    glint_colour ambient;    /* I_a, Q14, 0..1.99994 */
-    glint_colour background; /* where no object is, Q14, 0..1 */
+    glint_colour ambient;     /* I_a, Q14, 0..1.99994 */
+    glint_colour background;  /* where no object is, Q14, 0..1 */
+    glint_colour sky, ground; /* ambient light from above and from below, Q14, 0..1.99994 */
+    int16_t up[3];            /* u, which way is above, any length; zero: (0, 1, 0) */
+    glint_fog fog;
 } glint_scene;
 
 #ifdef __cplusplus

@@ -278,6 +278,19 @@ static inline void light_place_position(light_place *place, const glint_frame *f
     }
 }
 
+/* How many bits the product of a light's position and a surface's inverse distance has, and the vector to it: the
+ * coarser of the two that it is made of. */
+static inline int light_product_fraction(const light_place *light, const surface *at)
+{
+    return light->fraction + at->inverse_fraction - 32;
+}
+
+static inline int light_vector_fraction(const light_place *light, const surface *at)
+{
+    const int fraction = light_product_fraction(light, at);
+    return fraction < at->ray_fraction ? fraction : at->ray_fraction;
+}
+
 /*
  * Unit vector from the surface to a point light: along v = position inverse - ray. False where the difference is below
  * 2^-15 of the ray, about what rounding of the inverse distance leaves of it: light and surface are then the same
@@ -285,9 +298,7 @@ static inline void light_place_position(light_place *place, const glint_frame *f
  */
 static inline bool light_towards(const light_place *light, const surface *at, real v[3], real out[3])
 {
-    /* the product has this many fractional bits; the coarser of the two sets the sum's */
-    const int fraction = light->fraction + at->inverse_fraction - 32;
-    const int finer = fraction - at->ray_fraction;
+    const int finer = light_product_fraction(light, at) - at->ray_fraction;
     uint32_t whole = 0, difference = 0;
     for (int k = 0; k < 3; k++) {
         const real product = multiply_high_s32(light->v[k], at->inverse); /* < 2^28 + 2^20 */

@@ -210,6 +210,13 @@ static inline void light_place_position(light_place *place, const glint_frame *f
     }
 }
 
+static inline int light_vector_fraction(const light_place *light, const surface *at)
+{
+    (void)light;
+    (void)at;
+    return 0;
+}
+
 static inline bool light_towards(const light_place *light, const surface *at, real v[3], real out[3])
 {
     for (int k = 0; k < 3; k++) {

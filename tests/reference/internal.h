@@ -70,17 +70,22 @@ static inline vector unit(vector v)
 }
 
 typedef struct surface {
-    double ambient[3]; /* r_a I_a */
-    double diffuse[3], specular[3];
+    double ambient[3]; /* r_a, and what of I_a comes from everywhere, times it */
+    double sky[3], ground[3];
+    double diffuse[3], specular[3], emission[3];
     double exponent;
     bool blinn;
+    int sides;
 } surface;
 
 typedef struct lamp {
-    bool is_point;
-    vector toward;   /* directional: s */
-    vector position; /* point */
+    bool has_place; /* point and spot */
+    bool is_spot;
+    vector toward;   /* directional: s; spot: against the axis of its cone */
+    vector position; /* point, spot */
     double colour[3];
+    double k[3], unit, range;    /* attenuation; range 0: none */
+    double cos_inner, cos_outer; /* of a spot's cones */
 } lamp;
 
 /* A point of a triangle on the screen. What is linear on the screen is carried along when polygons are cut. */
@@ -104,7 +109,7 @@ typedef struct triangle {
     vector edge[3];   /* P_j x P_k, opposite corner i, signed so that all are >= 0 inside */
     vector plane;     /* Z = height / (plane . d) on the ray of direction d */
     double height;
-    bool front;                 /* turns its outside to the eye */
+    bool front;                 /* is drawn: turns its outside to the eye, or both sides count */
     bool thin;                  /* rounding the corners could turn it around */
     bool sealed[NEAR_EDGE + 1]; /* a neighbour that can be drawn lies beyond the edge */
     int corner_count;           /* of the polygon in front of the near plane; 0 or 3..POLYGON_MAX */
@@ -142,6 +147,8 @@ struct reference_detail {
     double focal; /* f in px */
     double near_z;
     double background[3];
+    vector up;                         /* of the hemisphere */
+    double fog[3], fog_begin, fog_end; /* equal: none */
     int32_t triangle_count;
     triangle *triangles;
     int surface_count;
@@ -175,6 +182,13 @@ corner meet_hit(const reference_detail *d, const triangle *t, double x, double y
 /* contest.c: fills d->contenders for a pixel, in drawing order, and returns their number; *front is the index of the
  * one that is seen (-1: the background), *mask its edge and depth bits, *background whether that may show. */
 int contest(reference_detail *d, int x, int y, int *front, uint8_t *mask, bool *background);
+
+/* lamp.c */
+void lamp_load(lamp *out, const glint_light *in);
+/* s at the point; false where the light stands on it. */
+bool lamp_toward(const lamp *l, vector point, vector *s);
+/* What of the light's intensity arrives there: a_j b_j. */
+double lamp_factor(const lamp *l, vector point, vector s);
 
 /* shade.c */
 /* The lights at whose terminator (point, normal) stands. Returns their number, at most TERMINATOR_MAX. */

@@ -11,13 +11,6 @@ static double clamp01(double v)
     return v < 0.0 ? 0.0 : v > 1.0 ? 1.0 : v;
 }
 
-/* s at the point; false where the light stands on it. */
-static bool toward_lamp(const lamp *l, vector point, vector *s)
-{
-    *s = l->is_point ? unit(minus(l->position, point)) : l->toward;
-    return length(*s) > 0.0;
-}
-
 /* max(0, r.c)^alpha, or with Blinn's h. */
 static double highlight(const surface *f, vector n, vector s, vector c)
 {
@@ -41,11 +34,14 @@ void shade_point(const reference_detail *d, const surface *f, vector point, vect
     if (length(normal) == 0.0) {
         normal = c;
     }
-    memcpy(rgb, f->ambient, sizeof f->ambient);
+    for (int k = 0; k < 3; k++) {
+        double above = dot(normal, d->up);
+        rgb[k] = f->emission[k] + f->ambient[k] + f->sky[k] * (1.0 + above) / 2.0 + f->ground[k] * (1.0 - above) / 2.0;
+    }
     for (int j = 0; j < d->lamp_count; j++) {
         const lamp *l = &d->lamps[j];
         vector s;
-        if (!toward_lamp(l, point, &s)) {
+        if (!lamp_toward(l, point, &s)) {
             continue;
         }
         double ns = dot(normal, s);
@@ -55,9 +51,9 @@ void shade_point(const reference_detail *d, const surface *f, vector point, vect
                 lit = (on >> k & 1u) != 0;
             }
         }
-        double specular = lit ? highlight(f, normal, s, c) : 0.0;
+        double specular = lit ? highlight(f, normal, s, c) : 0.0, factor = lamp_factor(l, point, s);
         for (int k = 0; k < 3; k++) {
-            rgb[k] += l->colour[k] * (f->diffuse[k] * (ns > 0.0 ? ns : 0.0) + f->specular[k] * specular);
+            rgb[k] += factor * l->colour[k] * (f->diffuse[k] * (ns > 0.0 ? ns : 0.0) + f->specular[k] * specular);
         }
     }
     for (int k = 0; k < 3; k++) {
@@ -74,7 +70,7 @@ int shade_terminators(const reference_detail *d, const surface *f, vector point,
     }
     for (int j = 0; j < d->lamp_count && count < TERMINATOR_MAX; j++) {
         vector s;
-        if (toward_lamp(&d->lamps[j], point, &s) && fabs(dot(normal, s)) < d->options.terminator) {
+        if (lamp_toward(&d->lamps[j], point, &s) && fabs(dot(normal, s)) < d->options.terminator) {
             double with[3], without[3], change = 0.0;
             shade_point(d, f, point, normal, &j, 1, 1u, with);
             shade_point(d, f, point, normal, &j, 1, 0u, without);
@@ -174,8 +170,9 @@ static void gouraud(const reference_detail *d, const triangle *t, const corner *
     }
 }
 
-void shade_corner(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
-                  double rgb[3])
+/* The colour before fog. */
+static void unfogged(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor,
+                     int variant, double rgb[3])
 {
     const surface *f = &d->surfaces[t->object];
     int lights[TERMINATOR_MAX], count = 0;
@@ -201,4 +198,16 @@ void shade_corner(const reference_detail *d, const triangle *t, const corner *wh
         exact_point(t, where, &point, &normal);
     }
     shade_point(d, f, point, normal, lights, count, on, rgb);
+}
+
+void shade_corner(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
+                  double rgb[3])
+{
+    unfogged(d, t, where, anchor, variant, rgb);
+    if (d->fog_end > d->fog_begin) {
+        double fog = clamp01((1.0 / where->inverse_z - d->fog_begin) / (d->fog_end - d->fog_begin));
+        for (int k = 0; k < 3; k++) {
+            rgb[k] = (1.0 - fog) * rgb[k] + fog * d->fog[k];
+        }
+    }
 }

@@ -44,26 +44,35 @@ vector view_ray(const reference_detail *d, double x, double y)
     return vector_of((x - d->width / 2.0) / d->focal, (y - d->height / 2.0) / d->focal, 1.0);
 }
 
-static void load_lamp(lamp *out, const glint_light *in)
+static void load_surface(surface *out, const glint_material *in, const glint_scene *scene)
 {
-    out->is_point = in->kind == GLINT_POINT;
-    out->toward = unit(vector_of(-in->direction[0], -in->direction[1], -in->direction[2]));
-    out->position = from_q16(in->position_q16);
-    from_colour(in->colour, out->colour);
-}
-
-static void load_surface(surface *out, const glint_material *in, glint_colour scene_ambient)
-{
-    double ambient[3];
-    from_colour(scene_ambient, ambient);
-    from_colour(in->ambient, out->ambient);
+    double ambient[3], sky[3], ground[3], reflectance[3];
+    from_colour(scene->ambient, ambient);
+    from_colour(scene->sky, sky);
+    from_colour(scene->ground, ground);
+    from_colour(in->ambient, reflectance);
     for (int k = 0; k < 3; k++) {
-        out->ambient[k] *= ambient[k];
+        out->ambient[k] = reflectance[k] * ambient[k];
+        out->sky[k] = reflectance[k] * sky[k];
+        out->ground[k] = reflectance[k] * ground[k];
     }
+    from_colour(in->emission, out->emission);
+    out->sides = in->sides;
     from_colour(in->diffuse, out->diffuse);
     from_colour(in->specular, out->specular);
     out->exponent = in->exponent_q4 / 16.0;
     out->blinn = in->specular_model == GLINT_BLINN;
+}
+
+static void load_air(reference_detail *d, const glint_scene *scene)
+{
+    d->up = unit(vector_of(scene->up[0], scene->up[1], scene->up[2]));
+    if (length(d->up) == 0.0) {
+        d->up = vector_of(0.0, 1.0, 0.0);
+    }
+    from_colour(scene->fog.colour, d->fog);
+    d->fog_begin = scene->fog.begin_q16 / Q16;
+    d->fog_end = scene->fog.end_q16 / Q16;
 }
 
 /* An object's place: points by the matrix, normals by its cofactors, which are the inverse transpose times the
@@ -209,6 +218,15 @@ static void load_triangle(const reference_detail *d, triangle *t, const glint_me
     }
     /* The outward normal (of a mirrored triangle: the other way) points against the ray to the triangle. */
     t->front = height * place->handedness < 0.0 && length(t->face) > 0.0;
+    bool away = !t->front;
+    int sides = d->surfaces[t->object].sides;
+    t->front = t->front || (sides != GLINT_FRONT_SIDE && height != 0.0 && length(t->face) > 0.0);
+    for (int i = 0; i < 3 && away && sides == GLINT_TWO_SIDED; i++) {
+        t->normal[i] = times(-1.0, t->normal[i]);
+    }
+    if (away && sides == GLINT_TWO_SIDED) {
+        t->face = times(-1.0, t->face);
+    }
     cut_at_near(d, t, p);
     if (collapsed(t)) {
         t->corner_count = 0;
@@ -274,14 +292,15 @@ int view_load(reference_detail *d, const glint_scene *scene, char *error, size_t
     }
 
     load_camera(d, scene->camera);
+    load_air(d, scene);
     from_colour(scene->background, d->background);
     d->lamp_count = scene->light_count;
     for (int i = 0; i < d->lamp_count; i++) {
-        load_lamp(&d->lamps[i], &scene->lights[i]);
+        lamp_load(&d->lamps[i], &scene->lights[i]);
     }
     d->surface_count = scene->object_count;
     for (int i = 0; i < d->surface_count; i++) {
-        load_surface(&d->surfaces[i], scene->objects[i].material, scene->ambient);
+        load_surface(&d->surfaces[i], scene->objects[i].material, scene);
         if (load_object(d, i, &scene->objects[i], error, error_bytes)) {
             return -1;
         }

@@ -106,6 +106,21 @@ static void set_stride(world *w, uint8_t format, uint16_t width_px, uint32_t str
     w->display.stride_bytes = stride_bytes;
 }
 
+/* Light 1 as a spot light. */
+static void set_spot(world *w, uint16_t inner_turn16, uint16_t outer_turn16)
+{
+    w->b.light[1].kind = GLINT_SPOT;
+    w->b.light[1].direction[2] = -1;
+    w->b.light[1].inner_turn16 = inner_turn16;
+    w->b.light[1].outer_turn16 = outer_turn16;
+}
+
+static void set_fog(world *w, int32_t begin_q16, int32_t end_q16)
+{
+    w->b.scene.fog.begin_q16 = begin_q16;
+    w->b.scene.fog.end_q16 = end_q16;
+}
+
 static void set_buffers(world *w, uint8_t count, bool transfers)
 {
     w->display.buffer_count = count;
@@ -180,7 +195,32 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(specular_reflectance_low, w->b.material.specular.r_q14 = -1, GLINT_ERROR_REFLECTANCE)                            \
     X(exponent_high, w->b.material.exponent_q4 = 1024 * 16 + 1, GLINT_ERROR_EXPONENT)                                  \
     X(specular_model_2, w->b.material.specular_model = GLINT_BLINN + 1, GLINT_ERROR_SPECULAR_MODEL)                    \
-    X(light_kind_2, w->b.light[0].kind = GLINT_POINT + 1, GLINT_ERROR_LIGHT_KIND)                                      \
+    X(light_kind_3, w->b.light[0].kind = GLINT_SPOT + 1, GLINT_ERROR_LIGHT_KIND)                                       \
+    X(emission_high, w->b.material.emission.g_q14 = 16385, GLINT_ERROR_EMISSION)                                       \
+    X(emission_low, w->b.material.emission.r_q14 = -1, GLINT_ERROR_EMISSION)                                           \
+    X(sides_3, w->b.material.sides = GLINT_TWO_SIDED + 1, GLINT_ERROR_SIDES)                                           \
+    X(spot_direction_0, (set_spot(w, 0, 16384), w->b.light[1].direction[2] = 0), GLINT_ERROR_LIGHT_DIRECTION)          \
+    X(spot_position_high, (set_spot(w, 0, 16384), w->b.light[1].position_q16[1] = (1 << 30) + 1),                      \
+      GLINT_ERROR_LIGHT_POSITION)                                                                                      \
+    X(cone_reversed, set_spot(w, 8192, 4096), GLINT_ERROR_LIGHT_CONE)                                                  \
+    X(cone_equal, set_spot(w, 8192, 8192), GLINT_ERROR_LIGHT_CONE)                                                     \
+    X(cone_step_181, set_spot(w, 8192, 8192 + 181), GLINT_ERROR_LIGHT_CONE)                                            \
+    X(cone_above_90_degrees, set_spot(w, 8192, 16385), GLINT_ERROR_LIGHT_CONE)                                         \
+    X(cone_wraps, set_spot(w, 65535, 100), GLINT_ERROR_LIGHT_CONE)                                                     \
+    X(range_short, w->b.light[1].attenuation.range_q16 = 255, GLINT_ERROR_LIGHT_DISTANCE)                              \
+    X(range_long, w->b.light[1].attenuation.range_q16 = (1 << 30) + 1, GLINT_ERROR_LIGHT_DISTANCE)                     \
+    X(unit_short, w->b.light[1].attenuation.unit_q16 = 1, GLINT_ERROR_LIGHT_DISTANCE)                                  \
+    X(unit_longest, w->b.light[1].attenuation.unit_q16 = UINT32_MAX, GLINT_ERROR_LIGHT_DISTANCE)                       \
+    X(sky_low, w->b.scene.sky.b_q14 = -1, GLINT_ERROR_AMBIENT)                                                         \
+    X(ground_low, w->b.scene.ground.r_q14 = INT16_MIN, GLINT_ERROR_AMBIENT)                                            \
+    X(fog_reversed, set_fog(w, 4 << 16, 3 << 16), GLINT_ERROR_FOG)                                                     \
+    X(fog_equal, set_fog(w, 4 << 16, 4 << 16), GLINT_ERROR_FOG)                                                        \
+    X(fog_255, set_fog(w, 1 << 16, (1 << 16) + 255), GLINT_ERROR_FOG)                                                  \
+    X(fog_before_the_eye, set_fog(w, -1, 1 << 16), GLINT_ERROR_FOG)                                                    \
+    X(fog_begin_least, set_fog(w, INT32_MIN, 0), GLINT_ERROR_FOG)                                                      \
+    X(fog_far, set_fog(w, 0, (1 << 30) + 1), GLINT_ERROR_FOG)                                                          \
+    X(fog_red_high, (set_fog(w, 0, 1 << 16), w->b.scene.fog.colour.r_q14 = 16385), GLINT_ERROR_FOG)                    \
+    X(fog_green_low, (set_fog(w, 0, 1 << 16), w->b.scene.fog.colour.g_q14 = -1), GLINT_ERROR_FOG)                      \
     X(light_direction_0, w->b.light[0].direction[2] = 0, GLINT_ERROR_LIGHT_DIRECTION)                                  \
     X(light_red_low, w->b.light[0].colour.r_q14 = -1, GLINT_ERROR_LIGHT_COLOUR)                                        \
     X(light_green_low, w->b.light[1].colour.g_q14 = -1, GLINT_ERROR_LIGHT_COLOUR)                                      \
@@ -237,6 +277,19 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(exponent_greatest, w->b.material.exponent_q4 = 1024 * 16, GLINT_OK)                                              \
     X(blinn, w->b.material.specular_model = GLINT_BLINN, GLINT_OK)                                                     \
     X(light_brightest, w->b.light[0].colour = board_grey(32767), GLINT_OK)                                             \
+    X(emission_1, w->b.material.emission = board_grey(16384), GLINT_OK)                                                \
+    X(two_sided, w->b.material.sides = GLINT_TWO_SIDED, GLINT_OK)                                                      \
+    X(cone_widest, set_spot(w, 0, 16384), GLINT_OK)                                                                    \
+    X(cone_narrowest, set_spot(w, 0, 182), GLINT_OK)                                                                   \
+    X(cone_of_a_point, (w->b.light[1].inner_turn16 = 9, w->b.light[1].outer_turn16 = 3), GLINT_OK)                     \
+    X(range_of_a_direction, w->b.light[0].attenuation.range_q16 = 1, GLINT_OK)                                         \
+    X(range_shortest, w->b.light[1].attenuation.range_q16 = 256, GLINT_OK)                                             \
+    X(range_longest, w->b.light[1].attenuation.range_q16 = 1 << 30, GLINT_OK)                                          \
+    X(attenuation_greatest, w->b.light[1].attenuation.k_q14[2] = 65535, GLINT_OK)                                      \
+    X(sky_brightest, w->b.scene.sky = w->b.scene.ground = board_grey(32767), GLINT_OK)                                 \
+    X(fog_thinnest, set_fog(w, 0, 1 << 30), GLINT_OK)                                                                  \
+    X(fog_thickest, set_fog(w, 1 << 16, (1 << 16) + 256), GLINT_OK)                                                    \
+    X(fog_none, w->b.scene.fog.colour.r_q14 = -1, GLINT_OK)                                                            \
     X(light_black, w->b.light[0].colour = board_grey(0), GLINT_OK)                                                     \
     X(light_direction_longest, board_light(&w->b, 0, INT16_MIN, INT16_MIN, INT16_MIN), GLINT_OK)                       \
     X(light_direction_of_a_point, w->b.light[1].direction[2] = 0, GLINT_OK)                                            \
