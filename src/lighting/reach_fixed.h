@@ -6,8 +6,9 @@
  * A distance may be anything from 2^-20 to 2^20 near distances, so it is kept as a mantissa and an exponent
  * (glint_far); no product is wider than 32 bits' upper half.
  *
- * Error of a factor: at most 5e-5 for the attenuation and as much for the cone, of which the rounding to Q15 is 1.5e-5
- * each (found by tests/unit/test_reach.h); and what an uncertain direction of the light makes of a cone's edge.
+ * Error of a factor: at most 8e-5 for the attenuation (rounding to Q16 of the window's u and u^2 makes 3e-5 and 1.5e-5,
+ * the factors' rounding to Q15 and that of their product 1.5e-5 each) and 5e-5 for the cone (found by
+ * tests/unit/test_reach.h); and what an uncertain direction of the light makes of a cone's edge.
  */
 #ifndef GLINT_LIGHTING_REACH_FIXED_H
 #define GLINT_LIGHTING_REACH_FIXED_H

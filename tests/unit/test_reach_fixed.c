@@ -6,7 +6,7 @@
 
 #include "tests/unit/numeric.h"
 
-#define ATTENUATION_ERROR 5e-5L
+#define ATTENUATION_ERROR 8e-5L
 #define CONE_ERROR 5e-5L
 #define POSITION_ERROR 2e-8L /* of a position, relative: of two products and their sum, 2^-27 each */
 #define FACTOR_ONE 32768
