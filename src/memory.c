@@ -9,8 +9,16 @@ static uint64_t whole_words(uint64_t bytes)
     return (bytes + 3) & ~(uint64_t)3;
 }
 
+/* Does it depend on the place how much of a light arrives? */
+static bool light_reaches(const glint_light *light)
+{
+    const glint_attenuation *a = &light->attenuation;
+    return light->kind == GLINT_SPOT ||
+           (light->kind == GLINT_POINT && (a->range_q16 != 0 || (a->k_q14[0] | a->k_q14[1] | a->k_q14[2]) != 0));
+}
+
 void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glint_display *display,
-                        uint32_t object_bytes, uint32_t light_bytes)
+                        const glint_state_bytes *bytes)
 {
     const uint16_t height = display->height_px;
     const uint16_t band = display->band_px == 0 || display->band_px > height ? height : display->band_px;
@@ -27,13 +35,18 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     needs->buffer = (uint32_t)whole_words((uint64_t)rows * needs->stride);
     needs->buffers = (uint64_t)needs->buffer * (display->buffer_count == 2 ? 2 : 1);
     needs->depth = whole_words((uint64_t)display->width_px * band * 2);
-    needs->objects = (uint64_t)scene->object_count * whole_words(object_bytes);
-    needs->lights = (uint64_t)scene->object_count * scene->light_count * whole_words(light_bytes);
+    needs->objects = (uint64_t)scene->object_count * whole_words(bytes->object);
+    needs->lights = (uint64_t)scene->object_count * scene->light_count * whole_words(bytes->light);
+    needs->reach_count = 0;
+    for (uint16_t i = 0; i < scene->light_count; i++) {
+        needs->reach_count = (uint16_t)(needs->reach_count + light_reaches(&scene->lights[i]));
+    }
+    needs->reaches = (uint64_t)scene->object_count * needs->reach_count * whole_words(bytes->reach);
     needs->triangle_count = (uint32_t)triangle_count; /* at most 65535^2 */
     needs->bands = needs->band_count > 1 && triangle_count < GLINT_NO_TRIANGLE
                        ? whole_words((triangle_count + needs->band_count) * 2)
                        : 0;
     needs->vertices = vertex_count * sizeof(glint_screen_vertex);
-    needs->least = needs->objects + needs->lights + needs->buffers + needs->depth;
+    needs->least = needs->objects + needs->lights + needs->reaches + needs->buffers + needs->depth;
     needs->full = needs->least + needs->bands + needs->vertices;
 }

@@ -4,6 +4,7 @@
  *
  *     objects   one state an object            always
  *     lights    one state an object and light  always
+ *     reaches   one for each of these lights that is a spot light or attenuated
  *     buffers   one or two bands of pixels     always
  *     depth     16 bits a pixel of a band      always
  *     bands     2 bytes a band and a triangle  where there is room, more than one band, fewer than 65,535 triangles
@@ -22,14 +23,20 @@ typedef struct glint_needs {
     uint32_t buffer; /* one band of pixels */
     uint32_t stride; /* bytes from row to row (page to page) */
     uint16_t band_px, band_count;
-    uint64_t objects, lights, buffers, depth, bands, vertices;
+    uint16_t reach_count; /* spot lights and attenuated ones */
+    uint64_t objects, lights, reaches, buffers, depth, bands, vertices;
     uint32_t triangle_count;
     uint64_t least; /* without bands and vertices */
     uint64_t full;
 } glint_needs;
 
+/* Of one of each, in a backend. */
+typedef struct glint_state_bytes {
+    uint16_t object, light, reach;
+} glint_state_bytes;
+
 /* Scene and display have passed glint_validate_sizes(). */
 void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glint_display *display,
-                        uint32_t object_bytes, uint32_t light_bytes);
+                        const glint_state_bytes *bytes);
 
 #endif

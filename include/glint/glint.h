@@ -34,6 +34,7 @@
 #include <glint/memory.h>
 #include <glint/mesh.h>
 #include <glint/place.h>
+#include <glint/plan.h>
 #include <glint/quality.h>
 #include <glint/scene.h>
 

@@ -8,8 +8,11 @@
 #include <stdint.h>
 
 /* Upper bounds of what either backend keeps of an object, and of a light for each object. */
-#define GLINT_OBJECT_BYTES 336
-#define GLINT_LIGHT_BYTES 80
+#define GLINT_OBJECT_BYTES 400
+#define GLINT_LIGHT_BYTES 88
+
+/* And of a spot light or an attenuated one for each object, beside that. */
+#define GLINT_REACH_BYTES 72
 
 /* With a tolerance, this many words more for each object let its material keep a ramp of pixels (RGB565 without dither)
  * and a table of its highlight: faster, the same image. */

@@ -9,10 +9,12 @@
 
 #include <glint/error.h>
 #include <glint/memory.h>
+#include <glint/plan.h>
 
 #include "display/flush.h"
 #include "geometry/vertex_fixed.h"
 #include "lighting/gloss_fixed.h"
+#include "lighting/reach_fixed.h"
 #include "memory.h"
 #include "raster/attribute_fixed.h"
 #include "raster/bands.h"

@@ -9,10 +9,12 @@
 
 #include <glint/error.h>
 #include <glint/memory.h>
+#include <glint/plan.h>
 
 #include "display/flush.h"
 #include "geometry/vertex_float.h"
 #include "lighting/gloss_float.h"
+#include "lighting/reach_float.h"
 #include "memory.h"
 #include "raster/attribute_float.h"
 #include "raster/bands.h"

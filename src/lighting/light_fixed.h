@@ -66,6 +66,27 @@ static inline void light_start(light_sum *sum, const light_product *ambient)
     }
 }
 
+/* Adds what the surface itself sends out to a product of ambient light: at most 3 (98304). */
+static inline void light_emit(light_product *ambient, const glint_colour *emission)
+{
+    ambient->q15[0] += (uint32_t)emission->r_q14 << 1;
+    ambient->q15[1] += (uint32_t)emission->g_q14 << 1;
+    ambient->q15[2] += (uint32_t)emission->b_q14 << 1;
+}
+
+/* (1 + cosine) / 2, Q15, for a cosine within 8 units of -1..1. */
+static inline real half_more(real cosine)
+{
+    const real half = (32769 + cosine) >> 1;
+    return half < 0 ? 0 : half > 32768 ? 32768 : half;
+}
+
+/* A share of a factor, both Q15 and at most a little above 1. */
+static inline real light_part(real factor, real share)
+{
+    return share == 32768 ? factor : (factor * share + (1 << 14)) >> 15;
+}
+
 static inline uint16_t light_clamp(uint32_t q16)
 {
     return (uint16_t)(q16 >= 65536 ? 32768 : (q16 + 1) >> 1);

@@ -51,6 +51,24 @@ static inline void light_start(light_sum *sum, const light_product *ambient)
     }
 }
 
+static inline void light_emit(light_product *ambient, const glint_colour *emission)
+{
+    ambient->channel[0] += (float)emission->r_q14 * (1.0f / 16384);
+    ambient->channel[1] += (float)emission->g_q14 * (1.0f / 16384);
+    ambient->channel[2] += (float)emission->b_q14 * (1.0f / 16384);
+}
+
+static inline real half_more(real cosine)
+{
+    const float half = 0.5f + 0.5f * cosine;
+    return half < 0.0f ? 0.0f : half;
+}
+
+static inline real light_part(real factor, real share)
+{
+    return factor * share;
+}
+
 static inline uint16_t light_clamp(float value)
 {
     /* written so that NaN becomes black */
