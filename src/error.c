@@ -49,7 +49,7 @@ const char *glint_error_text(int error)
     case GLINT_ERROR_LIGHT_POSITION:
         return "a point light's position is out of range (16384)";
     case GLINT_ERROR_LIGHT_COUNT:
-        return "the scene has more than 4096 lights";
+        return "the scene has more than 4096 lights, samples of extended sources counted each";
     case GLINT_ERROR_AMBIENT:
         return "the scene's ambient light is negative";
     case GLINT_ERROR_BACKGROUND:
@@ -59,6 +59,10 @@ const char *glint_error_text(int error)
     case GLINT_ERROR_LIGHT_CONE:
         return "a spot light's inner cone is not at least 1 degree within the outer one, or that is wider than 90 "
                "degrees";
+    case GLINT_ERROR_LIGHT_EXTENT:
+        return "a ball's radius is negative, or a panel or a ball reaches beyond 16384 world units";
+    case GLINT_ERROR_LIGHT_SAMPLES:
+        return "an extended light source has more than 64 samples";
     case GLINT_ERROR_FOG:
         return "the fog does not end at least 1/256 behind where it begins, or a field of it is out of range";
     case GLINT_ERROR_CAMERA_DIRECTION:

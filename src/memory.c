@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "memory.h"
 
+#include "lighting/source.h"
 #include "raster/bands.h"
 #include "raster/edges.h"
 
@@ -14,7 +15,7 @@ static bool light_reaches(const glint_light *light)
 {
     const glint_attenuation *a = &light->attenuation;
     return light->kind == GLINT_SPOT ||
-           (light->kind == GLINT_POINT && (a->range_q16 != 0 || (a->k_q14[0] | a->k_q14[1] | a->k_q14[2]) != 0));
+           (light->kind != GLINT_DIRECTIONAL && (a->range_q16 != 0 || (a->k_q14[0] | a->k_q14[1] | a->k_q14[2]) != 0));
 }
 
 void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glint_display *display,
@@ -36,11 +37,13 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     needs->buffers = (uint64_t)needs->buffer * (display->buffer_count == 2 ? 2 : 1);
     needs->depth = whole_words((uint64_t)display->width_px * band * 2);
     needs->objects = (uint64_t)scene->object_count * whole_words(bytes->object);
-    needs->lights = (uint64_t)scene->object_count * scene->light_count * whole_words(bytes->light);
-    needs->reach_count = 0;
+    needs->light_count = needs->reach_count = 0;
     for (uint16_t i = 0; i < scene->light_count; i++) {
-        needs->reach_count = (uint16_t)(needs->reach_count + light_reaches(&scene->lights[i]));
+        const uint8_t points = glint_source_most(&scene->lights[i]);
+        needs->light_count = (uint16_t)(needs->light_count + points);
+        needs->reach_count = (uint16_t)(needs->reach_count + (light_reaches(&scene->lights[i]) ? points : 0));
     }
+    needs->lights = (uint64_t)scene->object_count * needs->light_count * whole_words(bytes->light);
     needs->reaches = (uint64_t)scene->object_count * needs->reach_count * whole_words(bytes->reach);
     needs->triangle_count = (uint32_t)triangle_count; /* at most 65535^2 */
     needs->bands = needs->band_count > 1 && triangle_count < GLINT_NO_TRIANGLE

@@ -3,7 +3,7 @@
  * What a frame keeps in the caller's memory, and how many bytes of it.
  *
  *     objects   one state an object            always
- *     lights    one state an object and light  always
+ *     lights    one state an object and light  always; of an extended source as many as its samples allow
  *     reaches   one for each of these lights that is a spot light or attenuated
  *     buffers   one or two bands of pixels     always
  *     depth     16 bits a pixel of a band      always
@@ -23,7 +23,8 @@ typedef struct glint_needs {
     uint32_t buffer; /* one band of pixels */
     uint32_t stride; /* bytes from row to row (page to page) */
     uint16_t band_px, band_count;
-    uint16_t reach_count; /* spot lights and attenuated ones */
+    uint16_t light_count; /* with the most point lights that extended sources may come to */
+    uint16_t reach_count; /* of these, spot lights and attenuated ones */
     uint64_t objects, lights, reaches, buffers, depth, bands, vertices;
     uint32_t triangle_count;
     uint64_t least; /* without bands and vertices */

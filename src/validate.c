@@ -7,6 +7,7 @@
 #include <glint/error.h>
 
 #include "geometry/view.h"
+#include "lighting/source.h"
 #include "number/integer.h"
 
 #define ONE_Q14 16384
@@ -77,17 +78,36 @@ static bool distance_in_range(uint32_t distance_q16)
     return distance_q16 == 0 || (distance_q16 >= GLINT_LEAST_DISTANCE_Q16 && distance_q16 <= GLINT_MAX_DISTANCE_Q16);
 }
 
+/* A panel's corners and a ball's outermost points are positions too. */
+static int check_extent(const glint_light *light)
+{
+    for (int k = 0; k < 3; k++) {
+        const uint32_t extent = light->kind == GLINT_BALL
+                                    ? magnitude32(light->radius_q16)
+                                    : magnitude32(light->edge_q16[0][k]) + magnitude32(light->edge_q16[1][k]);
+        const bool wraps = light->kind == GLINT_PANEL && extent < magnitude32(light->edge_q16[0][k]);
+        if (wraps || extent > GREATEST_COORDINATE_Q16 ||
+            magnitude32(light->position_q16[k]) + extent > GREATEST_COORDINATE_Q16) {
+            return GLINT_ERROR_LIGHT_EXTENT;
+        }
+    }
+    if (light->kind == GLINT_BALL && light->radius_q16 < 0) {
+        return GLINT_ERROR_LIGHT_EXTENT;
+    }
+    return light->samples > GLINT_MAX_SAMPLES ? GLINT_ERROR_LIGHT_SAMPLES : GLINT_OK;
+}
+
 /* A field that the light's kind has no use for may hold anything. */
 static int check_light(const glint_light *light)
 {
     if (!in_range(&light->colour, INT16_MAX)) {
         return GLINT_ERROR_LIGHT_COLOUR;
     }
-    if (light->kind > GLINT_SPOT) {
+    if (light->kind > GLINT_BALL) {
         return GLINT_ERROR_LIGHT_KIND;
     }
-    if (light->kind != GLINT_POINT && light->direction[0] == 0 && light->direction[1] == 0 &&
-        light->direction[2] == 0) {
+    const bool directed = light->kind == GLINT_DIRECTIONAL || light->kind == GLINT_SPOT;
+    if (directed && light->direction[0] == 0 && light->direction[1] == 0 && light->direction[2] == 0) {
         return GLINT_ERROR_LIGHT_DIRECTION;
     }
     if (light->kind == GLINT_DIRECTIONAL) {
@@ -98,6 +118,9 @@ static int check_light(const glint_light *light)
     }
     if (!distance_in_range(light->attenuation.unit_q16) || !distance_in_range(light->attenuation.range_q16)) {
         return GLINT_ERROR_LIGHT_DISTANCE;
+    }
+    if (light->kind == GLINT_PANEL || light->kind == GLINT_BALL) {
+        return check_extent(light);
     }
     return light->kind == GLINT_SPOT && (light->outer_turn16 > GLINT_WIDEST_CONE_TURN16 ||
                                          (uint32_t)light->inner_turn16 + GLINT_LEAST_CONE_TURN16 > light->outer_turn16)
@@ -174,7 +197,11 @@ int glint_validate_sizes(const glint_scene *scene, const glint_display *display)
     if (scene->light_count > 0 && scene->lights == NULL) {
         return GLINT_ERROR_NULL_LIGHTS;
     }
-    if (scene->light_count > GLINT_MAX_LIGHTS) {
+    uint32_t points = 0; /* below 2^16 2^6 */
+    for (uint16_t i = 0; i < scene->light_count; i++) {
+        points += glint_source_most(&scene->lights[i]);
+    }
+    if (points > GLINT_MAX_LIGHTS) {
         return GLINT_ERROR_LIGHT_COUNT;
     }
     for (uint16_t i = 0; i < scene->object_count; i++) {

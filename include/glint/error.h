@@ -45,7 +45,7 @@ typedef enum glint_error {
     GLINT_ERROR_LIGHT_POSITION = -43,  /* out of range */
     GLINT_ERROR_AMBIENT = -44,         /* the scene's ambient, sky or ground light negative */
     GLINT_ERROR_BACKGROUND = -45,      /* background colour below 0 or above 1 */
-    GLINT_ERROR_LIGHT_COUNT = -46,     /* more than GLINT_MAX_LIGHTS */
+    GLINT_ERROR_LIGHT_COUNT = -46,     /* more than GLINT_MAX_LIGHTS, samples of extended sources counted each */
     GLINT_ERROR_LIGHT_DISTANCE = -47,  /* a distance of the attenuation out of range */
     GLINT_ERROR_LIGHT_CONE = -48,      /* a spot light's cones: inner not below outer, less than a degree apart, wider
                                         * than a right angle */
@@ -67,6 +67,10 @@ typedef enum glint_error {
     GLINT_ERROR_DISPLAY_STRIDE = -65,  /* stride_bytes shorter than a row, or odd with 16-bit pixels */
     GLINT_ERROR_SHADING = -66,         /* unknown shading */
     GLINT_ERROR_TOLERANCE = -67,       /* below GLINT_LEAST_TOLERANCE, or together with a shading */
+
+    /* extended sources */
+    GLINT_ERROR_LIGHT_EXTENT = -90,  /* a radius below 0, or a panel or ball that reaches out of range */
+    GLINT_ERROR_LIGHT_SAMPLES = -91, /* more samples than GLINT_MAX_SAMPLES */
 
     /* memory */
     GLINT_ERROR_MEMORY_SIZE = -70,     /* less than glint_*_memory_least_bytes() */

@@ -29,7 +29,7 @@
  * uint32_t words that let each vertex be transformed once a frame and each triangle be sorted into bands, for
  *   width_px, height_px, band_px, format, buffers   of the display (rows without gap)
  *   vertices, triangles   sums over all objects
- *   objects, lights       of the scene
+ *   objects, lights       of the scene; an extended source counts as many lights as it has samples (16 for 0)
  * For example: static uint32_t memory[GLINT_MEMORY_WORDS(240, 240, 16, GLINT_RGB565_SWAPPED, 1, 512, 960, 1, 1)];
  */
 #define GLINT_MEMORY_WORDS(width_px, height_px, band_px, format, buffers, vertices, triangles, objects, lights)        \

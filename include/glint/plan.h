@@ -34,11 +34,12 @@ const char *glint_reason_text(int reason);
 /* A sphere in world space that holds an object: coordinates and radius in Q16 world units, rounded outwards. */
 typedef struct glint_bounds {
     int64_t centre_q16[3], radius_q16;
+    int64_t half_q16[3]; /* half the edges of a box about the same centre that holds it too */
 } glint_bounds;
 
 typedef struct glint_object_plan {
     uint8_t ambient, sky, ground, emission; /* glint_reason of each term that no light is needed for */
-    bool needs_bounds;                      /* some light may be too far away */
+    bool needs_bounds;                      /* some light may be too far away, or has an extent */
     glint_bounds bounds;                    /* only where needs_bounds */
 } glint_object_plan;
 
@@ -47,10 +48,31 @@ typedef struct glint_light_plan {
     bool attenuation, cone;    /* if one of these is needed: its factors a (or w) and b are evaluated */
 } glint_light_plan;
 
+/*
+ * How many point lights stand for a light, and what they leave out: the greatest difference between their mean and the
+ * light of the whole source, anywhere on the object, for normals in any direction. It is bounded by the source's size
+ * over its distance from the object's box; specular light also by the exponent, and by how near source, object and eye
+ * are to lying in a line, where the highlight is cut off at n.s = 0. Sources that are not extended are one point light
+ * and leave out nothing.
+ */
+typedef struct glint_source_plan {
+    uint8_t points;    /* 1..samples */
+    bool enough;       /* error_q8 is within the room; else as many as `samples` allows */
+    uint32_t error_q8; /* 1/256 code, in the strongest channel */
+} glint_source_plan;
+
 /* Object and light by their numbers in a scene that glint_*_render() would accept. */
 void glint_plan_object(const glint_scene *scene, uint16_t object, glint_object_plan *plan);
 void glint_plan_light(const glint_scene *scene, uint16_t object, const glint_object_plan *of_object, uint16_t light,
                       glint_light_plan *plan);
+
+/* Of a light that has a term: the fewest points that are within an error of `room_q8`. */
+void glint_plan_source(const glint_scene *scene, uint16_t object, const glint_object_plan *of_object, uint16_t light,
+                       const glint_light_plan *of_light, uint32_t room_q8, glint_source_plan *plan);
+
+/* The room that a tolerance (glint_quality.tolerance) leaves to each extended source of the scene: half of what it has
+ * above the rounding to whole codes; without a tolerance 1/4 code. All share it. */
+uint32_t glint_plan_room_q8(const glint_scene *scene, uint8_t tolerance);
 
 #ifdef __cplusplus
 }

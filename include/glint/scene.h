@@ -109,7 +109,9 @@ typedef struct glint_object {
 enum {
     GLINT_DIRECTIONAL = 0, /* parallel light, travelling along `direction` */
     GLINT_POINT = 1,       /* light from `position_q16` in all directions */
-    GLINT_SPOT = 2         /* light from `position_q16` within a cone about `direction` */
+    GLINT_SPOT = 2,        /* light from `position_q16` within a cone about `direction` */
+    GLINT_PANEL = 3,       /* light from a parallelogram about `position_q16` */
+    GLINT_BALL = 4         /* light from the surface of a sphere about `position_q16` */
 };
 
 /*
@@ -142,17 +144,33 @@ typedef struct glint_attenuation {
  *     b = 1 for x <= inner,  0 for x >= outer,  ((cos x - cos outer) / (cos inner - cos outer))^2 between
  *
  * (as in glTF's KHR_lights_punctual).
+ *
+ * Extended sources, a panel and a ball, stand for many point lights: their light is the mean of that of point lights
+ * spread evenly, by area, over
+ *
+ *     P(a, b) = position + a edge[0] + b edge[1],  -1 <= a, b <= 1        a panel, seen from both sides alike
+ *     P(w) = position + radius w,  |w| = 1                                a ball, of which all is seen from anywhere
+ *
+ * each with the whole model: its own s, its own clamp at n.s = 0, its own attenuation (the lecture slides' "many light
+ * sources to approximate an extended light source"). The renderer takes as few of them as make no visible difference,
+ * see glint_plan_source() in <glint/plan.h>, at most `samples`. Edges or a radius of zero leave a segment or a point.
  */
 typedef struct glint_light {
     uint8_t kind;
     int16_t direction[3];          /* directional, spot: the way the light travels (s = -direction); any length but 0 */
-    int32_t position_q16[3];       /* point, spot: world position, Q16; |position_q16| <= 2^30 */
+    int32_t position_q16[3];       /* all others: world position, Q16; |position_q16| <= 2^30 */
     glint_colour colour;           /* intensity in Q14: 0..1.99994, diffuse and specular alike */
-    glint_attenuation attenuation; /* point, spot; zero: none */
+    glint_attenuation attenuation; /* all but directional; zero: none */
     /* spot: half the angle of the cones, 1/65536 turn: 0 <= inner < outer <= 16384 (90 degrees), and the two at least
      * 182 (1 degree) apart */
     uint16_t inner_turn16, outer_turn16;
+    int32_t edge_q16[2][3]; /* panel: half of each edge as a vector, Q16 world units; position and both together within
+                             * 2^30 in each coordinate */
+    int32_t radius_q16;     /* ball: not negative; position and radius within 2^30 in each coordinate */
+    uint8_t samples;        /* panel, ball: the greatest number of point lights that may stand for it, 1..64; 0: 16 */
 } glint_light;
+
+#define GLINT_MAX_SAMPLES 64
 
 /*
  * Fog: f = clamp((Z - begin) / (end - begin)) of the colour F is mixed in at the depth Z, the distance along the view

@@ -17,6 +17,7 @@
 #include "geometry/view.h"
 #include "lighting/bound.h"
 #include "lighting/ramp.h"
+#include "lighting/source.h"
 
 typedef int32_t real;
 
@@ -41,6 +42,14 @@ static inline light_product light_multiply(const glint_colour *reflectance, cons
         ((uint32_t)(int32_t)reflectance->b_q14 * (uint32_t)(int32_t)intensity->b_q14 + (1 << 12)) >> 13,
     }};
     return product;
+}
+
+/* One of `count` parts of a light, which add up to it. */
+static inline void light_product_divide(light_product *product, uint8_t count, uint8_t number)
+{
+    for (int k = 0; k < 3; k++) {
+        product->q15[k] = glint_source_part(product->q15[k], count, number);
+    }
 }
 
 static inline bool light_product_is_zero(const light_product *product)

@@ -9,6 +9,7 @@
 #include "geometry/view.h"
 #include "lighting/bound.h"
 #include "lighting/ramp.h"
+#include "lighting/source.h"
 #include "number/real.h"
 
 typedef float real;
@@ -30,6 +31,14 @@ static inline light_product light_multiply(const glint_colour *reflectance, cons
         (float)reflectance->b_q14 * (float)intensity->b_q14 * scale,
     }};
     return product;
+}
+
+static inline void light_product_divide(light_product *product, uint8_t count, uint8_t number)
+{
+    (void)number;
+    for (int k = 0; k < 3; k++) {
+        product->channel[k] /= (float)count;
+    }
 }
 
 static inline bool light_product_is_zero(const light_product *product)

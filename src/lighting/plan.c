@@ -2,6 +2,7 @@
 #include <glint/plan.h>
 
 #include "geometry/place.h"
+#include "lighting/source.h"
 #include "number/fixed.h"
 
 const char *glint_reason_text(int reason)
@@ -44,7 +45,7 @@ static glint_reason reason_of(const glint_colour *reflectance, const glint_colou
 
 static bool has_reach(const glint_light *light)
 {
-    return light->kind == GLINT_SPOT || (light->kind == GLINT_POINT && light->attenuation.range_q16 != 0);
+    return light->kind == GLINT_SPOT || (light->kind != GLINT_DIRECTIONAL && light->attenuation.range_q16 != 0);
 }
 
 /* Half the box of the mesh's vertices goes through the place to half a box along the world's axes. */
@@ -75,6 +76,7 @@ static void bounds_of(const glint_object *object, glint_bounds *bounds)
         bounds->centre_q16[i] = object->place.origin_q16[i] + glint_shift_round64(centre, -1 - mesh->fraction_bits);
         /* 2 units: the centre's rounding, and the shift's */
         half = (half >> (1 + mesh->fraction_bits)) + 2;
+        bounds->half_q16[i] = half;
         /* in steps of 2^14, so that the sum of squares fits: below 2^45 2^-14 */
         half = (half >> 14) + 1;
         square += half * half;
@@ -145,7 +147,8 @@ void glint_plan_object(const glint_scene *scene, uint16_t object, glint_object_p
     plan->emission = (uint8_t)(is_black(&material->emission) ? GLINT_REFLECTANCE_ZERO : GLINT_NEEDED);
     plan->needs_bounds = false;
     for (uint16_t i = 0; i < scene->light_count; i++) {
-        plan->needs_bounds = plan->needs_bounds || has_reach(&scene->lights[i]);
+        plan->needs_bounds =
+            plan->needs_bounds || has_reach(&scene->lights[i]) || glint_source_extends(&scene->lights[i]);
     }
     if (plan->needs_bounds) {
         bounds_of(&scene->objects[object], &plan->bounds);
@@ -168,9 +171,12 @@ void glint_plan_light(const glint_scene *scene, uint16_t object, const glint_obj
         return;
     }
     const apart a = apart_of(source, &of_object->bounds);
-    const glint_reason reason = attenuation->range_q16 != 0 && a.distance > a.radius + a.range ? GLINT_OUT_OF_RANGE
-                                : plan->cone && outside_cone(source, &a)                       ? GLINT_OUTSIDE_CONE
-                                                                                               : GLINT_NEEDED;
+    const glint_reason reason =
+        attenuation->range_q16 != 0 &&
+                a.distance > a.radius + a.range + (int64_t)(glint_source_size_q16(source) >> a.down)
+            ? GLINT_OUT_OF_RANGE
+        : plan->cone && outside_cone(source, &a) ? GLINT_OUTSIDE_CONE
+                                                 : GLINT_NEEDED;
     if (reason != GLINT_NEEDED) {
         plan->diffuse = plan->diffuse == GLINT_NEEDED ? (uint8_t)reason : plan->diffuse;
         plan->specular = plan->specular == GLINT_NEEDED ? (uint8_t)reason : plan->specular;

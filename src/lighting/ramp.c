@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "lighting/ramp.h"
 
+#include "lighting/source.h"
 #include "number/fixed.h"
 
 static void channels(const glint_colour *colour, int32_t out_q14[3])
@@ -33,7 +34,7 @@ static uint32_t disproportion(const int32_t diffuse[3], const int32_t specular[3
 void glint_ramp_set_up(glint_ramp *ramp, const glint_scene *scene, const glint_material *material)
 {
     int32_t diffuse[3], specular[3], ambient[3], ambient_light[3], first[3] = {0, 0, 0};
-    uint32_t total_q14[3] = {0, 0, 0};
+    uint32_t total_q14[3] = {0, 0, 0}, points = 0;
     ramp->usable = false;
     ramp->channel = 0;
     ramp->full_q15 = 0;
@@ -52,6 +53,7 @@ void glint_ramp_set_up(glint_ramp *ramp, const glint_scene *scene, const glint_m
         if (!same_chromaticity(first, light)) {
             return;
         }
+        points += glint_source_most(&scene->lights[i]);
         for (int k = 0; k < 3; k++) {
             total_q14[k] += (uint32_t)light[k]; /* < 2^12 2^15 */
         }
@@ -87,7 +89,7 @@ void glint_ramp_set_up(glint_ramp *ramp, const glint_scene *scene, const glint_m
         ramp->error_q8 = error > ramp->error_q8 ? (uint16_t)error : ramp->error_q8;
     }
     /* the shares of very dim lights, each rounded, could add up to more than the ramp has room for */
-    ramp->usable = ramp->full_q15 > 0 && ramp->full_q15 >= 64 * (uint32_t)scene->light_count;
+    ramp->usable = ramp->full_q15 > 0 && ramp->full_q15 >= 64 * points;
 }
 
 uint16_t glint_ramp_share_q15(const glint_ramp *ramp, uint32_t product_q15)

@@ -79,10 +79,13 @@ typedef struct surface {
 } surface;
 
 typedef struct lamp {
-    bool has_place; /* point and spot */
+    bool has_place; /* all but directional */
     bool is_spot;
-    vector toward;   /* directional: s; spot: against the axis of its cone */
-    vector position; /* point, spot */
+    vector toward;         /* directional: s; spot: against the axis of its cone */
+    vector position;       /* all but directional */
+    bool is_area, is_ball; /* extended: a panel, unless it is a ball */
+    vector edge[2];
+    double radius;
     double colour[3];
     double k[3], unit, range;    /* attenuation; range 0: none */
     double cos_inner, cos_outer; /* of a spot's cones */
@@ -190,7 +193,15 @@ bool lamp_toward(const lamp *l, vector point, vector *s);
 /* What of the light's intensity arrives there: a_j b_j. */
 double lamp_factor(const lamp *l, vector point, vector s);
 
+/* area.c */
+typedef struct area_mean {
+    double diffuse, specular; /* attenuation included; to be multiplied by light and reflectance */
+} area_mean;
+area_mean area_light(const lamp *l, const surface *f, vector point, vector normal, vector c);
+
 /* shade.c */
+/* max(0, r.c)^alpha, or with Blinn's h. */
+double shade_highlight(const surface *f, vector n, vector s, vector c);
 /* The lights at whose terminator (point, normal) stands. Returns their number, at most TERMINATOR_MAX. */
 int shade_terminators(const reference_detail *d, const surface *f, vector point, vector normal,
                       int lights[TERMINATOR_MAX]);

@@ -10,7 +10,14 @@ void lamp_load(lamp *out, const glint_light *in)
 {
     const glint_attenuation *a = &in->attenuation;
     out->is_spot = in->kind == GLINT_SPOT;
-    out->has_place = in->kind == GLINT_POINT || out->is_spot;
+    out->has_place = in->kind != GLINT_DIRECTIONAL;
+    out->is_ball = in->kind == GLINT_BALL;
+    out->radius = out->is_ball ? in->radius_q16 / 65536.0 : 0.0;
+    for (int i = 0; i < 2 && in->kind == GLINT_PANEL; i++) {
+        out->edge[i] =
+            vector_of(in->edge_q16[i][0] / 65536.0, in->edge_q16[i][1] / 65536.0, in->edge_q16[i][2] / 65536.0);
+    }
+    out->is_area = out->radius > 0.0 || length(out->edge[0]) > 0.0 || length(out->edge[1]) > 0.0;
     out->toward = unit(vector_of(-in->direction[0], -in->direction[1], -in->direction[2]));
     out->position =
         vector_of(in->position_q16[0] / 65536.0, in->position_q16[1] / 65536.0, in->position_q16[2] / 65536.0);

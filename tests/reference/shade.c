@@ -11,8 +11,7 @@ static double clamp01(double v)
     return v < 0.0 ? 0.0 : v > 1.0 ? 1.0 : v;
 }
 
-/* max(0, r.c)^alpha, or with Blinn's h. */
-static double highlight(const surface *f, vector n, vector s, vector c)
+double shade_highlight(const surface *f, vector n, vector s, vector c)
 {
     double cosine;
     if (f->blinn) {
@@ -41,6 +40,13 @@ void shade_point(const reference_detail *d, const surface *f, vector point, vect
     for (int j = 0; j < d->lamp_count; j++) {
         const lamp *l = &d->lamps[j];
         vector s;
+        if (l->is_area) {
+            area_mean mean = area_light(l, f, point, normal, c);
+            for (int k = 0; k < 3; k++) {
+                rgb[k] += l->colour[k] * (f->diffuse[k] * mean.diffuse + f->specular[k] * mean.specular);
+            }
+            continue;
+        }
         if (!lamp_toward(l, point, &s)) {
             continue;
         }
@@ -51,7 +57,7 @@ void shade_point(const reference_detail *d, const surface *f, vector point, vect
                 lit = (on >> k & 1u) != 0;
             }
         }
-        double specular = lit ? highlight(f, normal, s, c) : 0.0, factor = lamp_factor(l, point, s);
+        double specular = lit ? shade_highlight(f, normal, s, c) : 0.0, factor = lamp_factor(l, point, s);
         for (int k = 0; k < 3; k++) {
             rgb[k] += factor * l->colour[k] * (f->diffuse[k] * (ns > 0.0 ? ns : 0.0) + f->specular[k] * specular);
         }
@@ -70,7 +76,8 @@ int shade_terminators(const reference_detail *d, const surface *f, vector point,
     }
     for (int j = 0; j < d->lamp_count && count < TERMINATOR_MAX; j++) {
         vector s;
-        if (lamp_toward(&d->lamps[j], point, &s) && fabs(dot(normal, s)) < d->options.terminator) {
+        /* over an extended source the term ends gradually */
+        if (!d->lamps[j].is_area && lamp_toward(&d->lamps[j], point, &s) && fabs(dot(normal, s)) < d->options.terminator) {
             double with[3], without[3], change = 0.0;
             shade_point(d, f, point, normal, &j, 1, 1u, with);
             shade_point(d, f, point, normal, &j, 1, 0u, without);

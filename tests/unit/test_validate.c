@@ -15,6 +15,7 @@
 /* Budget: how much more than a backend's own number GLINT_MEMORY_WORDS may ask for. */
 #define WORDS_FACTOR 1.10
 #define WORDS_MORE 1024.0
+#define WORDS_A_LIGHT 48.0 /* and for each light of each object, of which the float backend keeps less */
 
 #define SPARE 64
 #define LIGHTS (GLINT_MAX_LIGHTS + 1)
@@ -67,6 +68,32 @@ static void set_up(world *w)
     for (int i = 0; i < LIGHTS; i++) {
         many_lights[i] = w->b.light[0];
     }
+}
+
+static void set_ball(world *w, int32_t radius_q16, int32_t x_q16)
+{
+    w->b.light[1].kind = GLINT_BALL;
+    w->b.light[1].radius_q16 = radius_q16;
+    w->b.light[1].position_q16[0] = x_q16;
+}
+
+/* `balls` of 13 points each, which is what 16 samples come to, and so many directional lights. */
+static void set_balls(world *w, uint16_t balls, uint16_t others)
+{
+    w->b.scene.lights = many_lights;
+    w->b.scene.light_count = (uint16_t)(balls + others - 24);
+    for (uint16_t i = 0; i < balls; i++) {
+        many_lights[i].kind = GLINT_BALL;
+        many_lights[i].radius_q16 = 1 << 16;
+    }
+}
+
+static void set_panel(world *w, int32_t first_q16, int32_t second_q16, int32_t y_q16)
+{
+    w->b.light[1].kind = GLINT_PANEL;
+    w->b.light[1].edge_q16[0][1] = first_q16;
+    w->b.light[1].edge_q16[1][1] = second_q16;
+    w->b.light[1].position_q16[1] = y_q16;
 }
 
 static void set_place(world *w, int32_t a, int32_t b, int32_t c)
@@ -195,7 +222,7 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(specular_reflectance_low, w->b.material.specular.r_q14 = -1, GLINT_ERROR_REFLECTANCE)                            \
     X(exponent_high, w->b.material.exponent_q4 = 1024 * 16 + 1, GLINT_ERROR_EXPONENT)                                  \
     X(specular_model_2, w->b.material.specular_model = GLINT_BLINN + 1, GLINT_ERROR_SPECULAR_MODEL)                    \
-    X(light_kind_3, w->b.light[0].kind = GLINT_SPOT + 1, GLINT_ERROR_LIGHT_KIND)                                       \
+    X(light_kind_5, w->b.light[0].kind = GLINT_BALL + 1, GLINT_ERROR_LIGHT_KIND)                                       \
     X(emission_high, w->b.material.emission.g_q14 = 16385, GLINT_ERROR_EMISSION)                                       \
     X(emission_low, w->b.material.emission.r_q14 = -1, GLINT_ERROR_EMISSION)                                           \
     X(sides_3, w->b.material.sides = GLINT_TWO_SIDED + 1, GLINT_ERROR_SIDES)                                           \
@@ -207,6 +234,16 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(cone_step_181, set_spot(w, 8192, 8192 + 181), GLINT_ERROR_LIGHT_CONE)                                            \
     X(cone_above_90_degrees, set_spot(w, 8192, 16385), GLINT_ERROR_LIGHT_CONE)                                         \
     X(cone_wraps, set_spot(w, 65535, 100), GLINT_ERROR_LIGHT_CONE)                                                     \
+    X(ball_radius_low, set_ball(w, -1, 0), GLINT_ERROR_LIGHT_EXTENT)                                                   \
+    X(ball_radius_least, set_ball(w, INT32_MIN, 0), GLINT_ERROR_LIGHT_EXTENT)                                          \
+    X(ball_reaches_far, set_ball(w, 1 << 30, 1), GLINT_ERROR_LIGHT_EXTENT)                                             \
+    X(ball_position_high, set_ball(w, 0, (1 << 30) + 1), GLINT_ERROR_LIGHT_POSITION)                                   \
+    X(ball_samples_65, (set_ball(w, 1 << 16, 0), w->b.light[1].samples = 65), GLINT_ERROR_LIGHT_SAMPLES)               \
+    X(panel_reaches_far, set_panel(w, 1 << 29, -(1 << 29), 1), GLINT_ERROR_LIGHT_EXTENT)                               \
+    X(panel_edges_wrap, set_panel(w, INT32_MIN, INT32_MIN, 0), GLINT_ERROR_LIGHT_EXTENT)                               \
+    X(panel_samples_255, (set_panel(w, 1, 1, 0), w->b.light[1].samples = 255), GLINT_ERROR_LIGHT_SAMPLES)              \
+    X(panel_range_short, (set_panel(w, 1, 1, 0), w->b.light[1].attenuation.range_q16 = 255),                           \
+      GLINT_ERROR_LIGHT_DISTANCE)                                                                                      \
     X(range_short, w->b.light[1].attenuation.range_q16 = 255, GLINT_ERROR_LIGHT_DISTANCE)                              \
     X(range_long, w->b.light[1].attenuation.range_q16 = (1 << 30) + 1, GLINT_ERROR_LIGHT_DISTANCE)                     \
     X(unit_short, w->b.light[1].attenuation.unit_q16 = 1, GLINT_ERROR_LIGHT_DISTANCE)                                  \
@@ -227,6 +264,7 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(light_blue_low, w->b.light[1].colour.b_q14 = INT16_MIN, GLINT_ERROR_LIGHT_COLOUR)                                \
     X(light_position_high, w->b.light[1].position_q16[0] = (1 << 30) + 1, GLINT_ERROR_LIGHT_POSITION)                  \
     X(light_position_low, w->b.light[1].position_q16[2] = -(1 << 30) - 1, GLINT_ERROR_LIGHT_POSITION)                  \
+    X(lights_and_samples_4097, set_balls(w, 315, 26), GLINT_ERROR_LIGHT_COUNT)                                         \
     X(ambient_red_low, w->b.scene.ambient.r_q14 = -1, GLINT_ERROR_AMBIENT)                                             \
     X(ambient_green_low, w->b.scene.ambient.g_q14 = -1, GLINT_ERROR_AMBIENT)                                           \
     X(ambient_blue_low, w->b.scene.ambient.b_q14 = -1, GLINT_ERROR_AMBIENT)                                            \
@@ -262,6 +300,7 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(memory_least, w->memory_kind = LEAST_MEMORY, GLINT_OK)                                                           \
     X(objects_none, (w->b.scene.objects = NULL, w->b.scene.object_count = 0), GLINT_OK)                                \
     X(lights_none, (w->b.scene.lights = NULL, w->b.scene.light_count = 0), GLINT_OK)                                   \
+    X(lights_and_samples_4096, set_balls(w, 315, 25), GLINT_OK)                                                        \
     X(lights_4096, (w->b.scene.lights = many_lights, w->b.scene.light_count = 4096), GLINT_OK)                         \
     X(three_vertices, (w->b.mesh.vertex_count = 3, w->b.mesh.triangle_count = 1), GLINT_OK)                            \
     X(fraction_0, w->b.mesh.fraction_bits = 0, GLINT_OK)                                                               \
@@ -290,6 +329,13 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(fog_thinnest, set_fog(w, 0, 1 << 30), GLINT_OK)                                                                  \
     X(fog_thickest, set_fog(w, 1 << 16, (1 << 16) + 256), GLINT_OK)                                                    \
     X(fog_none, w->b.scene.fog.colour.r_q14 = -1, GLINT_OK)                                                            \
+    X(ball_radius_0, set_ball(w, 0, 0), GLINT_OK)                                                                      \
+    X(ball_greatest, set_ball(w, 1 << 29, -(1 << 29)), GLINT_OK)                                                       \
+    X(ball_samples_64, (set_ball(w, 1 << 16, 0), w->b.light[1].samples = 64), GLINT_OK)                                \
+    X(panel_edges_0, set_panel(w, 0, 0, 0), GLINT_OK)                                                                  \
+    X(panel_greatest, set_panel(w, 1 << 28, -(1 << 28), 1 << 29), GLINT_OK)                                            \
+    X(radius_of_a_point, w->b.light[1].radius_q16 = -1, GLINT_OK)                                                      \
+    X(samples_of_a_point, w->b.light[1].samples = 255, GLINT_OK)                                                       \
     X(light_black, w->b.light[0].colour = board_grey(0), GLINT_OK)                                                     \
     X(light_direction_longest, board_light(&w->b, 0, INT16_MIN, INT16_MIN, INT16_MIN), GLINT_OK)                       \
     X(light_direction_of_a_point, w->b.light[1].direction[2] = 0, GLINT_OK)                                            \
@@ -488,17 +534,28 @@ static void test_each_code_has_its_own_sentence(void **state)
 static void expect_words_bound(const demo_scene *demo, const glint_display *d)
 {
     const glint_scene *const scene = demo->scene;
-    uint32_t vertices = 0, triangles = 0;
+    uint32_t vertices = 0, triangles = 0, lights = 0, reaches = 0;
     for (uint16_t i = 0; i < scene->object_count; i++) {
         vertices += scene->objects[i].mesh->vertex_count;
         triangles += scene->objects[i].mesh->triangle_count;
     }
+    for (uint16_t i = 0; i < scene->light_count; i++) {
+        const glint_light *light = &scene->lights[i];
+        const glint_attenuation *a = &light->attenuation;
+        const uint32_t points = light->kind < GLINT_PANEL ? 1 : light->samples ? light->samples : 16;
+        lights += points;
+        if (light->kind == GLINT_SPOT || a->range_q16 != 0 || (a->k_q14[0] | a->k_q14[1] | a->k_q14[2]) != 0) {
+            reaches += points;
+        }
+    }
     const size_t bound =
         (size_t)4 * GLINT_MEMORY_WORDS(d->width_px, d->height_px, d->band_px, d->format, d->buffer_count, vertices,
-                                       triangles, scene->object_count, scene->light_count);
+                                       triangles, scene->object_count, lights) +
+        (size_t)scene->object_count * reaches * GLINT_REACH_BYTES;
+    const double more = WORDS_A_LIGHT * lights * scene->object_count;
     for (int b = 0; b < BACKENDS; b++) {
         const size_t bytes = backends[b].memory_bytes(scene, d);
-        if (bytes == 0 || bytes > bound || (double)bound > WORDS_FACTOR * (double)bytes + WORDS_MORE) {
+        if (bytes == 0 || bytes > bound || (double)bound > WORDS_FACTOR * (double)bytes + WORDS_MORE + more) {
             printf("%s, %s: %zu bytes, GLINT_MEMORY_WORDS gives %zu (%u objects, %u lights, format %u, band %u)\n",
                    demo->name, backends[b].name, bytes, bound, scene->object_count, scene->light_count, d->format,
                    d->band_px);
