@@ -63,6 +63,12 @@ const char *glint_error_text(int error)
         return "a ball's radius is negative, or a panel or a ball reaches beyond 16384 world units";
     case GLINT_ERROR_LIGHT_SAMPLES:
         return "an extended light source has more than 64 samples";
+    case GLINT_ERROR_MIRROR:
+        return "a mirror's reflectance is below 0 or above 1";
+    case GLINT_ERROR_NULL_ENVIRONMENT:
+        return "a material mirrors the environment, but the scene has none, or none with texels";
+    case GLINT_ERROR_ENVIRONMENT_SIDE:
+        return "the environment's side is not 8, 16, 32, 64 or 128";
     case GLINT_ERROR_FOG:
         return "the fog does not end at least 1/256 behind where it begins, or a field of it is out of range";
     case GLINT_ERROR_CAMERA_DIRECTION:

@@ -18,6 +18,11 @@ static bool light_reaches(const glint_light *light)
            (light->kind != GLINT_DIRECTIONAL && (a->range_q16 != 0 || (a->k_q14[0] | a->k_q14[1] | a->k_q14[2]) != 0));
 }
 
+bool glint_mirrors(const glint_material *material)
+{
+    return material != NULL && (material->mirror.r_q14 | material->mirror.g_q14 | material->mirror.b_q14) != 0;
+}
+
 void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glint_display *display,
                         const glint_state_bytes *bytes)
 {
@@ -25,10 +30,11 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     const uint16_t band = display->band_px == 0 || display->band_px > height ? height : display->band_px;
     const uint16_t rows = display->format == GLINT_MONO_PAGES ? (uint16_t)((band + 7u) / 8) : band;
     uint64_t vertex_count = 0;
-    uint64_t triangle_count = 0;
+    uint64_t triangle_count = 0, mirror_count = 0;
     for (uint16_t i = 0; i < scene->object_count; i++) {
         vertex_count += scene->objects[i].mesh->vertex_count;
         triangle_count += scene->objects[i].mesh->triangle_count;
+        mirror_count += glint_mirrors(scene->objects[i].material);
     }
     needs->stride = display->stride_bytes ? display->stride_bytes : glint_row_bytes(display->format, display->width_px);
     needs->band_px = band;
@@ -45,11 +51,12 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     }
     needs->lights = (uint64_t)scene->object_count * needs->light_count * whole_words(bytes->light);
     needs->reaches = (uint64_t)scene->object_count * needs->reach_count * whole_words(bytes->reach);
+    needs->mirrors = mirror_count * whole_words(bytes->mirror);
     needs->triangle_count = (uint32_t)triangle_count; /* at most 65535^2 */
     needs->bands = needs->band_count > 1 && triangle_count < GLINT_NO_TRIANGLE
                        ? whole_words((triangle_count + needs->band_count) * 2)
                        : 0;
     needs->vertices = vertex_count * sizeof(glint_screen_vertex);
-    needs->least = needs->objects + needs->lights + needs->reaches + needs->buffers + needs->depth;
+    needs->least = needs->objects + needs->lights + needs->reaches + needs->mirrors + needs->buffers + needs->depth;
     needs->full = needs->least + needs->bands + needs->vertices;
 }

@@ -5,6 +5,7 @@
  *     objects   one state an object            always
  *     lights    one state an object and light  always; of an extended source as many as its samples allow
  *     reaches   one for each of these lights that is a spot light or attenuated
+ *     mirrors   one for each object that mirrors the environment
  *     buffers   one or two bands of pixels     always
  *     depth     16 bits a pixel of a band      always
  *     bands     2 bytes a band and a triangle  where there is room, more than one band, fewer than 65,535 triangles
@@ -14,6 +15,8 @@
  */
 #ifndef GLINT_MEMORY_H
 #define GLINT_MEMORY_H
+
+#include <stdbool.h>
 
 #include <glint/display.h>
 #include <glint/scene.h>
@@ -25,7 +28,7 @@ typedef struct glint_needs {
     uint16_t band_px, band_count;
     uint16_t light_count; /* with the most point lights that extended sources may come to */
     uint16_t reach_count; /* of these, spot lights and attenuated ones */
-    uint64_t objects, lights, reaches, buffers, depth, bands, vertices;
+    uint64_t objects, lights, reaches, mirrors, buffers, depth, bands, vertices;
     uint32_t triangle_count;
     uint64_t least; /* without bands and vertices */
     uint64_t full;
@@ -33,8 +36,11 @@ typedef struct glint_needs {
 
 /* Of one of each, in a backend. */
 typedef struct glint_state_bytes {
-    uint16_t object, light, reach;
+    uint16_t object, light, reach, mirror;
 } glint_state_bytes;
+
+/* Does a material mirror the environment? NULL does not. */
+bool glint_mirrors(const glint_material *material);
 
 /* Scene and display have passed glint_validate_sizes(). */
 void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glint_display *display,

@@ -52,7 +52,7 @@ static int check_indices(const glint_mesh *mesh)
     return GLINT_OK;
 }
 
-static int check_material(const glint_material *material)
+static int check_material(const glint_material *material, const glint_environment *environment)
 {
     if (material == NULL) {
         return GLINT_ERROR_NULL_MATERIAL;
@@ -70,7 +70,14 @@ static int check_material(const glint_material *material)
     if (material->sides > GLINT_TWO_SIDED) {
         return GLINT_ERROR_SIDES;
     }
-    return in_range(&material->emission, ONE_Q14) ? GLINT_OK : GLINT_ERROR_EMISSION;
+    if (!in_range(&material->emission, ONE_Q14)) {
+        return GLINT_ERROR_EMISSION;
+    }
+    if (!in_range(&material->mirror, ONE_Q14)) {
+        return GLINT_ERROR_MIRROR;
+    }
+    const bool mirrors = (material->mirror.r_q14 | material->mirror.g_q14 | material->mirror.b_q14) != 0;
+    return mirrors && environment == NULL ? GLINT_ERROR_NULL_ENVIRONMENT : GLINT_OK;
 }
 
 static bool distance_in_range(uint32_t distance_q16)
@@ -137,6 +144,18 @@ static int check_fog(const glint_fog *fog)
                    fog->end_q16 - fog->begin_q16 >= GLINT_LEAST_DISTANCE_Q16 && in_range(&fog->colour, ONE_Q14)
                ? GLINT_OK
                : GLINT_ERROR_FOG;
+}
+
+static int check_environment(const glint_environment *environment)
+{
+    if (environment == NULL) {
+        return GLINT_OK;
+    }
+    const uint8_t side = environment->side;
+    if (side < 8 || side > 128 || (side & (side - 1)) != 0) {
+        return GLINT_ERROR_ENVIRONMENT_SIDE;
+    }
+    return environment->texels == NULL ? GLINT_ERROR_NULL_ENVIRONMENT : GLINT_OK;
 }
 
 static int check_camera(const glint_camera *camera)
@@ -238,12 +257,13 @@ int glint_validate(const glint_scene *scene, const glint_display *display, const
     }
     error = check_camera(scene->camera);
     error = error ? error : check_fog(&scene->fog);
+    error = error ? error : check_environment(scene->environment);
     for (uint16_t i = 0; !error && i < scene->light_count; i++) {
         error = check_light(&scene->lights[i]);
     }
     for (uint16_t i = 0; !error && i < scene->object_count; i++) {
         const glint_object *object = &scene->objects[i];
-        error = check_material(object->material);
+        error = check_material(object->material, scene->environment);
         error = error ? error : glint_place_check(&object->place);
         error = error ? error : check_indices(object->mesh);
     }

@@ -66,6 +66,9 @@ extern const glint_scene demo_spots, demo_open_sky, demo_lanterns;
 /* extended.c: panels, and a ball */
 extern const glint_scene demo_panels, demo_globe;
 
+/* mirror.c: surfaces that mirror a sky */
+extern const glint_scene demo_chrome, demo_gilded;
+
 /* gallery_ratio.c: a row of spheres, ambient to diffuse ratio growing to the right */
 extern const glint_scene demo_ambient_ratio;
 

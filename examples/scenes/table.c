@@ -20,6 +20,8 @@ const demo_scene demo_scenes[] = {
     {"lanterns", "Lanterns that emit light, which falls off with distance", &demo_lanterns, 320, 240},
     {"panels", "A window and a tube: sources with an extent", &demo_panels, 320, 240},
     {"globe", "The same room under a glowing ball", &demo_globe, 320, 240},
+    {"chrome", "A teapot of chrome under the open sky", &demo_chrome, 320, 240},
+    {"gilded", "A gilded knot and a varnished ball under the open sky", &demo_gilded, 320, 240},
     {"ambient-ratio", "Ambient to diffuse ratio growing to the right", &demo_ambient_ratio, 320, 80},
     {"specular-grid", "Specular share growing downwards, exponent to the right", &demo_specular_grid, 320, 240},
     {"ambient-only", "A still life in ambient light", &demo_ambient_only, 320, 240},

@@ -72,6 +72,11 @@ typedef enum glint_error {
     GLINT_ERROR_LIGHT_EXTENT = -90,  /* a radius below 0, or a panel or ball that reaches out of range */
     GLINT_ERROR_LIGHT_SAMPLES = -91, /* more samples than GLINT_MAX_SAMPLES */
 
+    /* mirrors */
+    GLINT_ERROR_MIRROR = -92,           /* a mirror's reflectance below 0 or above 1 */
+    GLINT_ERROR_NULL_ENVIRONMENT = -93, /* a mirror without an environment, or an environment without texels */
+    GLINT_ERROR_ENVIRONMENT_SIDE = -94, /* not 8, 16, 32, 64 or 128 */
+
     /* memory */
     GLINT_ERROR_MEMORY_SIZE = -70,     /* less than glint_*_memory_least_bytes() */
     GLINT_ERROR_MEMORY_ALIGNMENT = -71 /* not aligned like a uint32_t */

@@ -14,6 +14,9 @@
 /* And of a spot light or an attenuated one for each object, beside that. */
 #define GLINT_REACH_BYTES 72
 
+/* And of an object that mirrors the environment, beside that. */
+#define GLINT_MIRROR_BYTES 64
+
 /* With a tolerance, this many words more for each object let its material keep a ramp of pixels (RGB565 without dither)
  * and a table of its highlight: faster, the same image. */
 #define GLINT_RAMP_WORDS 769

@@ -38,9 +38,9 @@ typedef struct glint_bounds {
 } glint_bounds;
 
 typedef struct glint_object_plan {
-    uint8_t ambient, sky, ground, emission; /* glint_reason of each term that no light is needed for */
-    bool needs_bounds;                      /* some light may be too far away, or has an extent */
-    glint_bounds bounds;                    /* only where needs_bounds */
+    uint8_t ambient, sky, ground, emission, mirror; /* glint_reason of each term that no light is needed for */
+    bool needs_bounds;                              /* some light may be too far away, or has an extent */
+    glint_bounds bounds;                            /* only where needs_bounds */
 } glint_object_plan;
 
 typedef struct glint_light_plan {

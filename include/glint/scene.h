@@ -20,14 +20,16 @@
  *
  * A scene may call for more than that; what it leaves at zero is not there and costs nothing:
  *
- *     L = e + r_a I_a(n) + sum_j I_j a_j(d_j) b_j(s_j) [ ... ]                 emission, hemisphere, attenuation, spot
- *     displayed: (1 - f) L + f F                                               fog
+ *     L = e + r_a I_a(n) + r_m E(r) + sum_j I_j a_j(d_j) b_j(s_j) [ ... ]      emission, hemisphere, mirror,
+ * attenuation, spot displayed: (1 - f) L + f F                                               fog
  *
  * e          emission of the surface, glint_material.emission
  * I_a(n)     ambient light: scene.ambient everywhere, and scene.sky and scene.ground by the normal,
  *            I_a + sky (1 + n.u) / 2 + ground (1 - n.u) / 2, u the world's up: secondary light from a bright sky
  *            above and a ground below, each a hemisphere of one brightness, as a convex surface sees them
  *            (the isotropic sky of B. Y. H. Liu and R. C. Jordan, Solar Energy 7(2), 1963)
+ * r_m E(r)   a mirror: the environment's colour in the direction r = 2 (n.c) n - c in which the ray from the eye leaves
+ *            the surface, see glint_environment
  * a_j(d)     attenuation with the distance d from a point or spot light, see glint_light
  * b_j(s)     the cone of a spot light, see glint_light
  * f          fog by the depth Z along the view direction, see glint_fog
@@ -81,6 +83,7 @@ typedef struct glint_material {
     uint8_t specular_model; /* GLINT_PHONG (default) or GLINT_BLINN */
     uint8_t sides;          /* GLINT_FRONT_SIDE (default) ... */
     glint_colour emission;  /* e: light that the surface sends out whatever falls on it, 0..1 */
+    glint_colour mirror;    /* r_m: what part of the environment the surface mirrors; asks for scene.environment */
 } glint_material;
 
 /*
@@ -199,6 +202,27 @@ typedef struct glint_camera {
                                     * Depth is stored as near / Z in 16 bits, so put it as far out as the scene allows. */
 } glint_camera;
 
+/*
+ * What a mirror shows: the colours of all directions, from infinitely far away (J. F. Blinn and M. E. Newell, "Texture
+ * and reflection in computer generated images", CACM 19(10), 1976). Objects of the scene are not seen in it.
+ *
+ * The map is octahedral (of the family that Z. Cigolle et al. survey, "A survey of efficient representations for
+ * independent unit vectors", JCGT 3(2), 2014): a direction (x, y, z) in the world, divided by |x| + |y| + |z|, is seen
+ * from above in the middle of the square -1..1 as (u, v) = (x, z), and if y < 0 folded out into the square's corners as
+ * (u, v) = ((1 - |z|) sign x, (1 - |x|) sign z). Texel (i, j) of row j has its centre at u = (2 i + 1) / side - 1 and
+ * v = (2 j + 1) / side - 1; E is bilinear between centres. Beyond the square's edge lies the texel next to the edge
+ * that the fold brings there: of column -1 the texel of column 0 with j turned round, and so for the other edges; so E
+ * is continuous all over the sphere.
+ *
+ * Texels are RGB565: red in bits 15..11 over 31, green in 10..5 over 63, blue in 4..0 over 31.
+ */
+typedef struct glint_environment {
+    const uint16_t *texels; /* side * side, rows of j from 0; on the AVR declare them GLINT_FLASH */
+    uint8_t side;           /* 8, 16, 32, 64 or 128 */
+    uint8_t steepest;       /* the greatest difference of neighbouring texels, over the edges too, in any channel, in
+                             * 1/255, rounded up; 0: 255. What is promised of a mirror's error is by this. */
+} glint_environment;
+
 typedef struct glint_scene {
     const glint_camera *camera;
     const glint_object *objects; /* drawn in this order; where two surfaces have equal depth the first stays */
@@ -210,6 +234,7 @@ typedef struct glint_scene {
     glint_colour sky, ground; /* ambient light from above and from below, Q14, 0..1.99994 */
     int16_t up[3];            /* u, which way is above, any length; zero: (0, 1, 0) */
     glint_fog fog;
+    const glint_environment *environment; /* what mirrors show; NULL where no material is one */
 } glint_scene;
 
 #ifdef __cplusplus

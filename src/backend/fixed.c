@@ -14,6 +14,7 @@
 #include "display/flush.h"
 #include "geometry/vertex_fixed.h"
 #include "lighting/gloss_fixed.h"
+#include "lighting/mirror_fixed.h"
 #include "lighting/reach_fixed.h"
 #include "memory.h"
 #include "raster/attribute_fixed.h"

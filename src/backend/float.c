@@ -14,6 +14,7 @@
 #include "display/flush.h"
 #include "geometry/vertex_float.h"
 #include "lighting/gloss_float.h"
+#include "lighting/mirror_float.h"
 #include "lighting/reach_float.h"
 #include "memory.h"
 #include "raster/attribute_float.h"

@@ -145,6 +145,7 @@ void glint_plan_object(const glint_scene *scene, uint16_t object, glint_object_p
     plan->sky = (uint8_t)reason_of(&material->ambient, &scene->sky);
     plan->ground = (uint8_t)reason_of(&material->ambient, &scene->ground);
     plan->emission = (uint8_t)(is_black(&material->emission) ? GLINT_REFLECTANCE_ZERO : GLINT_NEEDED);
+    plan->mirror = (uint8_t)(is_black(&material->mirror) ? GLINT_REFLECTANCE_ZERO : GLINT_NEEDED);
     plan->needs_bounds = false;
     for (uint16_t i = 0; i < scene->light_count; i++) {
         plan->needs_bounds =

@@ -72,7 +72,7 @@ static inline vector unit(vector v)
 typedef struct surface {
     double ambient[3]; /* r_a, and what of I_a comes from everywhere, times it */
     double sky[3], ground[3];
-    double diffuse[3], specular[3], emission[3];
+    double diffuse[3], specular[3], emission[3], mirror[3];
     double exponent;
     bool blinn;
     int sides;
@@ -90,6 +90,12 @@ typedef struct lamp {
     double k[3], unit, range;    /* attenuation; range 0: none */
     double cos_inner, cos_outer; /* of a spot's cones */
 } lamp;
+
+/* The map of the environment. */
+typedef struct surroundings {
+    int side; /* 0: none */
+    double (*texel)[3];
+} surroundings;
 
 /* A point of a triangle on the screen. What is linear on the screen is carried along when polygons are cut. */
 typedef struct corner {
@@ -151,6 +157,7 @@ struct reference_detail {
     double near_z;
     double background[3];
     vector up;                         /* of the hemisphere */
+    surroundings around;               /* what mirrors show */
     double fog[3], fog_begin, fog_end; /* equal: none */
     int32_t triangle_count;
     triangle *triangles;
@@ -192,6 +199,12 @@ void lamp_load(lamp *out, const glint_light *in);
 bool lamp_toward(const lamp *l, vector point, vector *s);
 /* What of the light's intensity arrives there: a_j b_j. */
 double lamp_factor(const lamp *l, vector point, vector s);
+
+/* around.c */
+/* 0, or -1 without memory. */
+int around_load(surroundings *out, const glint_environment *in);
+/* E in a direction of any length but 0. */
+void around_colour(const surroundings *around, vector direction, double rgb[3]);
 
 /* area.c */
 typedef struct area_mean {

@@ -14,6 +14,7 @@ static void free_detail(reference_detail *d)
         free(d->triangles);
         free(d->surfaces);
         free(d->lamps);
+        free(d->around.texel);
         free(d->first);
         free(d->meetings);
         free(d->contenders);

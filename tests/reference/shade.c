@@ -37,6 +37,13 @@ void shade_point(const reference_detail *d, const surface *f, vector point, vect
         double above = dot(normal, d->up);
         rgb[k] = f->emission[k] + f->ambient[k] + f->sky[k] * (1.0 + above) / 2.0 + f->ground[k] * (1.0 - above) / 2.0;
     }
+    if (d->around.side > 0) {
+        double mirrored[3];
+        around_colour(&d->around, minus(times(2.0 * dot(normal, c), normal), c), mirrored);
+        for (int k = 0; k < 3; k++) {
+            rgb[k] += f->mirror[k] * mirrored[k];
+        }
+    }
     for (int j = 0; j < d->lamp_count; j++) {
         const lamp *l = &d->lamps[j];
         vector s;
@@ -77,7 +84,8 @@ int shade_terminators(const reference_detail *d, const surface *f, vector point,
     for (int j = 0; j < d->lamp_count && count < TERMINATOR_MAX; j++) {
         vector s;
         /* over an extended source the term ends gradually */
-        if (!d->lamps[j].is_area && lamp_toward(&d->lamps[j], point, &s) && fabs(dot(normal, s)) < d->options.terminator) {
+        if (!d->lamps[j].is_area && lamp_toward(&d->lamps[j], point, &s) &&
+            fabs(dot(normal, s)) < d->options.terminator) {
             double with[3], without[3], change = 0.0;
             shade_point(d, f, point, normal, &j, 1, 1u, with);
             shade_point(d, f, point, normal, &j, 1, 0u, without);

@@ -57,6 +57,7 @@ static void load_surface(surface *out, const glint_material *in, const glint_sce
         out->ground[k] = reflectance[k] * ground[k];
     }
     from_colour(in->emission, out->emission);
+    from_colour(in->mirror, out->mirror);
     out->sides = in->sides;
     from_colour(in->diffuse, out->diffuse);
     from_colour(in->specular, out->specular);
@@ -293,6 +294,9 @@ int view_load(reference_detail *d, const glint_scene *scene, char *error, size_t
 
     load_camera(d, scene->camera);
     load_air(d, scene);
+    if (around_load(&d->around, scene->environment)) {
+        return fail(error, error_bytes, "no memory for the scene's environment");
+    }
     from_colour(scene->background, d->background);
     d->lamp_count = scene->light_count;
     for (int i = 0; i < d->lamp_count; i++) {
