@@ -24,6 +24,10 @@ if [ -x "$build/generate-tables" ] && [ -f src/number/tables.c ]; then
     "$build/generate-tables" >"$out/tables.c"
     compare src/number/tables.c "$out/tables.c"
 fi
+if [ -x "$build/generate-environment" ] && [ -f examples/scenes/environment_sky.c ]; then
+    "$build/generate-environment" 64 >"$out/environment_sky.c"
+    compare examples/scenes/environment_sky.c "$out/environment_sky.c"
+fi
 if [ -n "$mesh_generator" ] && [ -f tools/mesh/regenerate.sh ]; then
     sh tools/mesh/regenerate.sh "$mesh_generator" "$out/meshes" >"$out/log" 2>&1 || {
         cat "$out/log" >&2

@@ -117,7 +117,7 @@ int main(int argc, char **argv)
             texel[j][i] = texel_at(side, i, j);
         }
     }
-    printf("/* Made by: generate-environment %d */\n", side);
+    printf("/* Made by: build/generate-environment %d > examples/scenes/environment_sky.c */\n", side);
     printf("/* SPDX-License-Identifier: MIT */\n/* clang-format off */\n");
     printf("#include <examples/scenes/environments.h>\n\n");
     printf("static const GLINT_FLASH uint16_t texels[%d] = {\n", side * side);

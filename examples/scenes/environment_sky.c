@@ -1,4 +1,4 @@
-/* Made by: generate-environment 64 */
+/* Made by: build/generate-environment 64 > examples/scenes/environment_sky.c */
 /* SPDX-License-Identifier: MIT */
 /* clang-format off */
 #include <examples/scenes/environments.h>

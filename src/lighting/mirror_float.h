@@ -3,7 +3,7 @@
  * A mirror in float. See mirror_fixed.h for what each does.
  *
  * Error of the direction from given normal and ray: at most 6e-7 (found by tests/unit/test_mirror.h); of the place in
- * the map, 2^-16 texel more in each coordinate.
+ * the map, 9e-8 of the side, in both coordinates.
  */
 #ifndef GLINT_LIGHTING_MIRROR_FLOAT_H
 #define GLINT_LIGHTING_MIRROR_FLOAT_H

@@ -25,6 +25,7 @@ enum { FULL_MEMORY = 0, LEAST_MEMORY = 1, SHORT_MEMORY = 2 };
 
 typedef struct world {
     board b;
+    glint_environment environment;
     glint_display display;
     glint_quality quality;
     glint_transfers transfers;
@@ -68,6 +69,15 @@ static void set_up(world *w)
     for (int i = 0; i < LIGHTS; i++) {
         many_lights[i] = w->b.light[0];
     }
+}
+
+static void set_mirror(world *w, uint8_t side)
+{
+    static const uint16_t texels[128 * 128];
+    w->environment.texels = texels;
+    w->environment.side = side;
+    w->b.scene.environment = &w->environment;
+    w->b.material.mirror = board_grey(16384);
 }
 
 static void set_ball(world *w, int32_t radius_q16, int32_t x_q16)
@@ -225,6 +235,14 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(light_kind_5, w->b.light[0].kind = GLINT_BALL + 1, GLINT_ERROR_LIGHT_KIND)                                       \
     X(emission_high, w->b.material.emission.g_q14 = 16385, GLINT_ERROR_EMISSION)                                       \
     X(emission_low, w->b.material.emission.r_q14 = -1, GLINT_ERROR_EMISSION)                                           \
+    X(mirror_high, (set_mirror(w, 64), w->b.material.mirror.g_q14 = 16385), GLINT_ERROR_MIRROR)                        \
+    X(mirror_low, (set_mirror(w, 64), w->b.material.mirror.b_q14 = -1), GLINT_ERROR_MIRROR)                            \
+    X(mirror_of_nothing, w->b.material.mirror.r_q14 = 1, GLINT_ERROR_NULL_ENVIRONMENT)                                 \
+    X(environment_of_nothing, (set_mirror(w, 64), w->environment.texels = NULL), GLINT_ERROR_NULL_ENVIRONMENT)         \
+    X(environment_side_0, set_mirror(w, 0), GLINT_ERROR_ENVIRONMENT_SIDE)                                              \
+    X(environment_side_4, set_mirror(w, 4), GLINT_ERROR_ENVIRONMENT_SIDE)                                              \
+    X(environment_side_24, set_mirror(w, 24), GLINT_ERROR_ENVIRONMENT_SIDE)                                            \
+    X(environment_side_255, (set_mirror(w, 255), w->b.material.mirror = board_grey(0)), GLINT_ERROR_ENVIRONMENT_SIDE)  \
     X(sides_3, w->b.material.sides = GLINT_TWO_SIDED + 1, GLINT_ERROR_SIDES)                                           \
     X(spot_direction_0, (set_spot(w, 0, 16384), w->b.light[1].direction[2] = 0), GLINT_ERROR_LIGHT_DIRECTION)          \
     X(spot_position_high, (set_spot(w, 0, 16384), w->b.light[1].position_q16[1] = (1 << 30) + 1),                      \
@@ -317,6 +335,9 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(blinn, w->b.material.specular_model = GLINT_BLINN, GLINT_OK)                                                     \
     X(light_brightest, w->b.light[0].colour = board_grey(32767), GLINT_OK)                                             \
     X(emission_1, w->b.material.emission = board_grey(16384), GLINT_OK)                                                \
+    X(mirror_least_side, set_mirror(w, 8), GLINT_OK)                                                                   \
+    X(mirror_greatest_side, set_mirror(w, 128), GLINT_OK)                                                              \
+    X(environment_without_mirror, (set_mirror(w, 16), w->b.material.mirror = board_grey(0)), GLINT_OK)                 \
     X(two_sided, w->b.material.sides = GLINT_TWO_SIDED, GLINT_OK)                                                      \
     X(cone_widest, set_spot(w, 0, 16384), GLINT_OK)                                                                    \
     X(cone_narrowest, set_spot(w, 0, 182), GLINT_OK)                                                                   \
@@ -534,10 +555,11 @@ static void test_each_code_has_its_own_sentence(void **state)
 static void expect_words_bound(const demo_scene *demo, const glint_display *d)
 {
     const glint_scene *const scene = demo->scene;
-    uint32_t vertices = 0, triangles = 0, lights = 0, reaches = 0;
+    uint32_t vertices = 0, triangles = 0, lights = 0, reaches = 0, mirrors = 0;
     for (uint16_t i = 0; i < scene->object_count; i++) {
         vertices += scene->objects[i].mesh->vertex_count;
         triangles += scene->objects[i].mesh->triangle_count;
+        mirrors += scene->objects[i].material->mirror.r_q14 != 0;
     }
     for (uint16_t i = 0; i < scene->light_count; i++) {
         const glint_light *light = &scene->lights[i];
@@ -551,7 +573,7 @@ static void expect_words_bound(const demo_scene *demo, const glint_display *d)
     const size_t bound =
         (size_t)4 * GLINT_MEMORY_WORDS(d->width_px, d->height_px, d->band_px, d->format, d->buffer_count, vertices,
                                        triangles, scene->object_count, lights) +
-        (size_t)scene->object_count * reaches * GLINT_REACH_BYTES;
+        (size_t)scene->object_count * reaches * GLINT_REACH_BYTES + mirrors * GLINT_MIRROR_BYTES;
     const double more = WORDS_A_LIGHT * lights * scene->object_count;
     for (int b = 0; b < BACKENDS; b++) {
         const size_t bytes = backends[b].memory_bytes(scene, d);
