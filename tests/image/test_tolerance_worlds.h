@@ -319,7 +319,8 @@ static void make_world(world *w, uint32_t seed, uint32_t number)
  * lean away from the middle by `spread` to 16384, at INT16_MAX in the square's plane. One light along -direction, a
  * weak one beside it.
  */
-static void make_board(world *w, int spread, double aslant, int model, uint16_t exponent_q4, const int16_t direction[3])
+static inline void make_board(world *w, int spread, double aslant, int model, uint16_t exponent_q4,
+                              const int16_t direction[3])
 {
     static const int16_t corners[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
