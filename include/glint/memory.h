@@ -11,11 +11,14 @@
 #define GLINT_OBJECT_BYTES 400
 #define GLINT_LIGHT_BYTES 88
 
-/* And of a spot light or an attenuated one for each object, beside that. */
+/* And of a spot light or an attenuated one for each object, beside that: so many words more than GLINT_MEMORY_WORDS for
+ * each object times each of these lights, of an extended source for each of its samples. */
 #define GLINT_REACH_BYTES 72
+#define GLINT_REACH_WORDS (GLINT_REACH_BYTES / 4)
 
-/* And of an object that mirrors the environment, beside that. */
+/* And of an object that mirrors the environment: so many words more for each of these. */
 #define GLINT_MIRROR_BYTES 64
+#define GLINT_MIRROR_WORDS (GLINT_MIRROR_BYTES / 4)
 
 /* With a tolerance, this many words more for each object let its material keep a ramp of pixels (RGB565 without dither)
  * and a table of its highlight: faster, the same image. */

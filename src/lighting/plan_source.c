@@ -70,7 +70,7 @@ static uint32_t strongest_q8(const glint_colour *reflectance, const glint_colour
                    g = (uint32_t)reflectance->g_q14 * (uint32_t)light->g_q14,
                    b = (uint32_t)reflectance->b_q14 * (uint32_t)light->b_q14;
     const uint32_t greatest = r > g ? r : g;
-    return glint_bound_codes(((greatest > b ? greatest : b) >> 13) + 1);
+    return glint_bound_codes(((greatest > b ? greatest : b) + 8191) >> 13);
 }
 
 static uint32_t share_of(uint32_t light_q8, uint32_t share_q16)
@@ -97,10 +97,8 @@ void glint_plan_source(const glint_scene *scene, uint16_t object, const glint_ob
         gap[k] = away > bounds->half_q16[k] ? away - bounds->half_q16[k] : 0;
     }
     const uint32_t size_q16 = part_q16(glint_source_size_q16(source), gap);
-    const uint32_t diffuse_q8 =
-        of_light->diffuse == GLINT_NEEDED ? strongest_q8(&material->diffuse, &source->colour) : 0;
-    const uint32_t specular_q8 =
-        of_light->specular == GLINT_NEEDED ? strongest_q8(&material->specular, &source->colour) : 0;
+    const uint32_t diffuse_q8 = strongest_q8(&material->diffuse, &source->colour);
+    const uint32_t specular_q8 = strongest_q8(&material->specular, &source->colour);
     uint32_t gate_q8 = specular_q8;
     bool bounded = true; /* the specular error is */
     if (specular_q8 != 0) {

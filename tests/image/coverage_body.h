@@ -107,9 +107,16 @@ static void check_scene(const glint_scene *scene, uint16_t width, uint16_t heigh
 {
     frame_state state;
     object_state *objects = calloc(scene->object_count, sizeof *objects);
-    light_state *lights = calloc((size_t)scene->object_count * scene->light_count + 1, sizeof *lights);
+    const glint_display display = {.width_px = width, .height_px = height};
+    glint_needs needs;
+    glint_memory_needs(&needs, scene, &display, &state_bytes);
+    light_state *lights = calloc((size_t)scene->object_count * needs.light_count + 1, sizeof *lights);
+    light_reach *reaches = calloc((size_t)scene->object_count * needs.reach_count + 1, sizeof *reaches);
+    light_mirror *mirrors = calloc((size_t)scene->object_count + 1, sizeof *mirrors);
     assert_non_null(objects);
+    assert_non_null(mirrors);
     assert_non_null(lights);
+    assert_non_null(reaches);
     assert_true(width * height <= MOST_PIXELS);
     memset(&state, 0, sizeof state);
     memset(expected, 0, sizeof expected);
@@ -117,12 +124,14 @@ static void check_scene(const glint_scene *scene, uint16_t width, uint16_t heigh
     glint_view_set_up(&state.view, scene->camera, width, height);
     state.objects = objects;
     state.object_count = scene->object_count;
-    prepare_objects(&state, scene, objects, lights, NULL, NULL, false);
+    prepare_objects(&state, scene, objects, lights, reaches, mirrors, &needs, NULL, NULL, false);
     for (uint16_t i = 0; i < scene->object_count; i++) {
         check_object(&state, &objects[i]);
     }
     check_frame(scene, width, height, backend);
     free(lights);
+    free(reaches);
+    free(mirrors);
     free(objects);
 }
 

@@ -571,9 +571,9 @@ static void expect_words_bound(const demo_scene *demo, const glint_display *d)
         }
     }
     const size_t bound =
-        (size_t)4 * GLINT_MEMORY_WORDS(d->width_px, d->height_px, d->band_px, d->format, d->buffer_count, vertices,
-                                       triangles, scene->object_count, lights) +
-        (size_t)scene->object_count * reaches * GLINT_REACH_BYTES + mirrors * GLINT_MIRROR_BYTES;
+        (size_t)4 * (GLINT_MEMORY_WORDS(d->width_px, d->height_px, d->band_px, d->format, d->buffer_count, vertices,
+                                        triangles, scene->object_count, lights) +
+                     scene->object_count * reaches * GLINT_REACH_WORDS + mirrors * GLINT_MIRROR_WORDS);
     const double more = WORDS_A_LIGHT * lights * scene->object_count;
     for (int b = 0; b < BACKENDS; b++) {
         const size_t bytes = backends[b].memory_bytes(scene, d);
