@@ -18,7 +18,7 @@
 #include "examples/meshes/meshes.h"
 #include "tests/unit/backends.h"
 
-enum { WORLD_OBJECTS = 3, WORLD_LIGHTS = 8, SHARDS = 6 };
+enum { WORLD_OBJECTS = 3, WORLD_LIGHTS = 8, SHARDS = 6, WORLD_TEXELS = 16 * 16 };
 
 #define Q16 65536.0
 
@@ -28,7 +28,8 @@ typedef struct world {
     glint_material materials[WORLD_OBJECTS];
     glint_light lights[WORLD_LIGHTS];
     int16_t positions[3 * SHARDS][3], normals[3 * SHARDS][3];
-    uint16_t triangles[2 * SHARDS][3];
+    uint16_t triangles[2 * SHARDS][3], texels[WORLD_TEXELS];
+    glint_environment environment;
     glint_mesh shards;
     glint_scene scene;
     uint16_t width_px, height_px;
@@ -255,6 +256,42 @@ static void add_effects(world *w, double distance)
     }
 }
 
+/* Point lights with an extent, in one scene of four; and a map of random colours, smooth or not, for some surfaces. */
+static void add_extents(world *w, double distance)
+{
+    const bool extended = one_in(w, 4), mirrored = one_in(w, 4), smooth = one_in(w, 2);
+    for (uint16_t i = 0; extended && i < w->scene.light_count; i++) {
+        glint_light *light = &w->lights[i];
+        if (light->kind != GLINT_POINT || magnitude_of(light->position_q16) > 12000 * Q16) {
+            continue;
+        }
+        const double size = distance * of_any_size(w, 0.01, 0.5);
+        light->kind = one_in(w, 2) ? GLINT_PANEL : GLINT_BALL;
+        light->radius_q16 = (int32_t)(Q16 * fmin(size, 4000));
+        light->samples = (uint8_t)(one_in(w, 2) ? GLINT_MAX_SAMPLES : between(w, 0, GLINT_MAX_SAMPLES));
+        for (int k = 0; k < 6; k++) {
+            light->edge_q16[k / 3][k % 3] = one_in(w, 4) ? 0 : (int32_t)(Q16 * fmin(size, 2000) * uniform(w, -1, 1));
+        }
+    }
+    if (!mirrored) {
+        return;
+    }
+    w->environment.side = (uint8_t)(8 << between(w, 0, 1));
+    w->environment.texels = w->texels;
+    w->environment.steepest = (uint8_t)(smooth ? 66 : 255); /* 8 steps of 31 */
+    for (int i = 0; i < WORLD_TEXELS; i++) {
+        const uint16_t r = (uint16_t)between(w, 0, smooth ? 8 : 31), g = (uint16_t)between(w, 0, smooth ? 16 : 63),
+                       b = (uint16_t)between(w, 0, smooth ? 8 : 31);
+        w->texels[i] = (uint16_t)(r << 11 | g << 5 | b);
+    }
+    w->scene.environment = &w->environment;
+    for (int i = 0; i < WORLD_OBJECTS; i++) {
+        if (one_in(w, 2)) {
+            w->materials[i].mirror = colour(w, 1, one_in(w, 2));
+        }
+    }
+}
+
 /* Scene `number` of the run. Pointers go into *w, so it must stay where it is. */
 static void make_world(world *w, uint32_t seed, uint32_t number)
 {
@@ -312,6 +349,7 @@ static void make_world(world *w, uint32_t seed, uint32_t number)
     w->scene.ambient = colour(w, 1, one_in(w, 2));
     w->scene.background = colour(w, 1, false);
     add_effects(w, distance);
+    add_extents(w, distance);
 }
 
 /*

@@ -124,8 +124,12 @@ static void test_ranges(void **state)
             if (l->kind != GLINT_DIRECTIONAL) {
                 check_point(l->position_q16);
             }
-            if (l->kind != GLINT_POINT) {
-                assert_in_range(l->kind, GLINT_DIRECTIONAL, GLINT_SPOT);
+            assert_in_range(l->kind, GLINT_DIRECTIONAL, GLINT_BALL);
+            if (l->kind == GLINT_BALL) {
+                assert_in_range(l->radius_q16, 1, max_coordinate_q16);
+            } else if (l->kind == GLINT_PANEL) {
+                assert_true(l->edge_q16[0][0] != 0 || l->edge_q16[0][1] != 0 || l->edge_q16[0][2] != 0);
+            } else if (l->kind != GLINT_POINT) {
                 assert_true(l->direction[0] != 0 || l->direction[1] != 0 || l->direction[2] != 0);
             }
         }
