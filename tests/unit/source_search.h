@@ -43,18 +43,18 @@ static vector random_vector(void)
     return vector_of(x, y, z);
 }
 
-static vector moved(vector v, double by)
+static inline vector moved(vector v, double by)
 {
     return unit(plus(v, times(by, random_vector())));
 }
 
 /* So that the exponent is at least 2: below that it has a kink, as the cosine has. */
-static double most_size(const search *what)
+static inline double most_size(const search *what)
 {
     return fmin(0.98, what->spread / sqrt(2.0));
 }
 
-static void sight_random(sight *at, const search *what)
+static inline void sight_random(sight *at, const search *what)
 {
     at->toward = unit(random_vector());
     at->n = unit(random_vector());
@@ -74,7 +74,7 @@ static void sight_random(sight *at, const search *what)
     }
 }
 
-static void sight_change(sight *at, const search *what, double by)
+static inline void sight_change(sight *at, const search *what, double by)
 {
     const uint32_t of = random_u32();
     at->toward = of & 1 ? moved(at->toward, by) : at->toward;
@@ -93,7 +93,7 @@ static void sight_change(sight *at, const search *what, double by)
 }
 
 /* The light in the library's format. */
-static glint_light light_of(const sight *at, const search *what)
+static inline glint_light light_of(const sight *at, const search *what)
 {
     glint_light light;
     memset(&light, 0, sizeof light);
@@ -122,13 +122,13 @@ static glint_light light_of(const sight *at, const search *what)
     return light;
 }
 
-static double exponent_of(const sight *at, const search *what)
+static inline double exponent_of(const sight *at, const search *what)
 {
     const double x = what->spread / at->size;
     return what->term == DIFFUSE ? 1.0 : fmin(1024.0, x * x);
 }
 
-static double difference(const sight *at, const search *what)
+static inline double difference(const sight *at, const search *what)
 {
     const glint_light light = light_of(at, what);
     const uint8_t count = glint_source_points(what->rule);

@@ -131,12 +131,57 @@ static void test_the_longest_stride(void **state)
     }
 }
 
+/* An extended source takes as much as the points that may stand for it; a mirror is paid for where there is one. */
+static void test_extents_and_mirrors(void **state)
+{
+    static const uint8_t samples[] = {1, 4, 5, 0, 16, 28, 29, 64};
+    static const uint8_t points[] = {1, 1, 5, 13, 13, 13, 29, 53};
+    static const uint16_t texels[64];
+    static const glint_environment around = {.texels = texels, .side = 8};
+    const glint_display display = {.width_px = BOARD_PX, .height_px = BOARD_PX};
+    board b;
+    (void)state;
+    board_set_up(&b);
+    b.scene.light_count = 2;
+    b.light[1] = b.light[0];
+    for (int which = 0; which < BACKENDS; which++) {
+        size_t (*const bytes)(const glint_scene *, const glint_display *) = backends[which].memory_least_bytes;
+        b.light[1].kind = GLINT_POINT;
+        b.light[1].attenuation.range_q16 = 0;
+        const size_t two = bytes(&b.scene, &display);
+        b.scene.light_count = 1;
+        const size_t a_light = two - bytes(&b.scene, &display);
+        b.scene.light_count = 2;
+        b.light[1].attenuation.range_q16 = 1 << 20;
+        const size_t a_reach = bytes(&b.scene, &display) - two;
+        assert_true(a_light > 0 && a_light <= GLINT_LIGHT_BYTES && a_reach > 0 && a_reach <= GLINT_REACH_BYTES);
+        b.light[1].kind = GLINT_BALL;
+        b.light[1].radius_q16 = 1 << 16;
+        for (size_t i = 0; i < sizeof samples; i++) {
+            b.light[1].samples = samples[i];
+            b.light[1].attenuation.range_q16 = 0;
+            assert_int_equal(bytes(&b.scene, &display), two + (points[i] - 1u) * a_light);
+            b.light[1].attenuation.range_q16 = 1 << 20;
+            assert_int_equal(bytes(&b.scene, &display), two + (points[i] - 1u) * a_light + points[i] * a_reach);
+        }
+        b.light[1].radius_q16 = 0;
+        assert_int_equal(bytes(&b.scene, &display), two + a_reach);
+        b.scene.environment = &around;
+        assert_int_equal(bytes(&b.scene, &display), two + a_reach);
+        b.material.mirror.r_q14 = 1;
+        const size_t a_mirror = bytes(&b.scene, &display) - two - a_reach;
+        assert_true(a_mirror > 0 && a_mirror <= GLINT_MIRROR_BYTES);
+        b.material.mirror.r_q14 = 0;
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_lists_up_to_65534_triangles),
         cmocka_unit_test(test_more_triangles_than_lists_hold),
         cmocka_unit_test(test_the_longest_stride),
+        cmocka_unit_test(test_extents_and_mirrors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
