@@ -69,7 +69,8 @@ static uint16_t texel_at(int side, int i, int j)
 {
     double sum[3] = {0.0, 0.0, 0.0};
     for (int k = 0; k < SAMPLES * SAMPLES; k++) {
-        const double x = i + (k % SAMPLES + 0.5) / SAMPLES, y = j + (k / SAMPLES + 0.5) / SAMPLES;
+        const int right = k % SAMPLES, below = k / SAMPLES;
+        const double x = i + (right + 0.5) / SAMPLES, y = j + (below + 0.5) / SAMPLES;
         double rgb[3];
         colour_at(2.0 * x / side - 1.0, 2.0 * y / side - 1.0, rgb);
         for (int c = 0; c < 3; c++) {
@@ -107,7 +108,7 @@ static unsigned steepest(int side, uint16_t texel[SIDE_MOST][SIDE_MOST])
 int main(int argc, char **argv)
 {
     static uint16_t texel[SIDE_MOST][SIDE_MOST];
-    const int side = argc == 2 ? atoi(argv[1]) : 0;
+    const int side = argc == 2 ? (int)strtol(argv[1], NULL, 10) : 0;
     if (side < 8 || side > SIDE_MOST || (side & (side - 1)) != 0) {
         fprintf(stderr, "usage: generate-environment SIDE, of 8, 16, 32, 64 or 128\n");
         return 2;

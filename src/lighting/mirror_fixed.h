@@ -5,8 +5,8 @@
  * The direction needs no unit vector: with N along the normal and v along the ray from the eye, both of any length,
  * d = (N.N) v - 2 (N.v) N is along r, and the octahedral map divides by |x| + |y| + |z| itself: one reciprocal a pixel.
  *
- * Error of the direction from given N and v: at most 1.1e-7 radians (found by tests/unit/test_mirror.h); of the place in
- * the map, half of 2^-12 texel more in each coordinate; of a channel for that place 2^-16.
+ * Error of the direction from given N and v: at most 1.1e-7 radians (found by tests/unit/test_mirror.h); of the place
+ * in the map, half of 2^-12 texel more in each coordinate; of a channel for that place 2^-16.
  */
 #ifndef GLINT_LIGHTING_MIRROR_FIXED_H
 #define GLINT_LIGHTING_MIRROR_FIXED_H

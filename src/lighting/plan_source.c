@@ -27,7 +27,7 @@ static uint32_t part_q16(uint64_t size, const int64_t v[3])
     if (part >= whole) {
         return ONE_Q16;
     }
-    const int up = clz32(whole);
+    const int up = clz32(whole) & 31; /* not 0 */
     /* 2^30 part / whole, within 2^-28 of it */
     const uint32_t quotient_q16 = (multiply_high_u32(part << up, glint_reciprocal_q31(whole << up)) >> 14) + 2;
     return quotient_q16 < ONE_Q16 ? quotient_q16 : ONE_Q16;
