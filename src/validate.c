@@ -216,9 +216,9 @@ int glint_validate_sizes(const glint_scene *scene, const glint_display *display)
     if (scene->light_count > 0 && scene->lights == NULL) {
         return GLINT_ERROR_NULL_LIGHTS;
     }
-    uint32_t points = 0; /* below 2^16 2^6 */
-    for (uint16_t i = 0; i < scene->light_count; i++) {
-        points += glint_source_most(&scene->lights[i]);
+    uint32_t points = scene->light_count;
+    for (uint16_t i = 0; points <= GLINT_MAX_LIGHTS && i < scene->light_count; i++) {
+        points += glint_source_most(&scene->lights[i]) - 1u;
     }
     if (points > GLINT_MAX_LIGHTS) {
         return GLINT_ERROR_LIGHT_COUNT;
