@@ -61,6 +61,8 @@ static inline void mirror_direction(const light_mirror *mirror, const real norma
     const int32_t square = mirror_dot(n, n);    /* 2^26..3 2^28; 0 for no normal */
     const int32_t twice = 2 * mirror_dot(n, v); /* within 6 2^28 */
     const int up = clz32((uint32_t)square | magnitude32(twice) | 1) - 1;
+    GLINT_TRACE("mirror's square", square);
+    GLINT_TRACE("mirror's product", twice);
     for (int k = 0; k < 3; k++) {
         /* both within 2^29 */
         d[k] = square == 0 ? -v[k]
@@ -70,13 +72,15 @@ static inline void mirror_direction(const light_mirror *mirror, const real norma
     mirror_scale(d, d);
     for (int i = 0; i < 3; i++) {
         out[i] = mirror_dot(mirror->to_world_q30[i], d); /* within 2^29 */
+        GLINT_TRACE("mirrored ray", out[i]);
     }
 }
 
 /* A coordinate of the square, Q30, to texels from the first centre, Q12. */
 static inline int32_t mirror_place(const light_mirror *mirror, int32_t u_q30)
 {
-    const uint32_t from_edge = (uint32_t)(u_q30 + ((int32_t)1 << 30)) + ((uint32_t)1 << (mirror->down - 1));
+    /* 0..2^31, and half a step */
+    const uint32_t from_edge = (uint32_t)u_q30 + ((uint32_t)1 << 30) + ((uint32_t)1 << (mirror->down - 1));
     return (int32_t)(from_edge >> mirror->down) - (1 << 11);
 }
 
@@ -134,6 +138,7 @@ static inline void light_mirror_add(light_sum *sum, const light_mirror *mirror, 
     mirror_direction(mirror, normal, ray, d);
     mirror_colour(mirror, d, colour_q15);
     for (int k = 0; k < 3; k++) {
+        GLINT_TRACE("environment q15", colour_q15[k]);
         sum->q16[k] += (mirror->reflectance.q15[k] * colour_q15[k] + (1 << 13)) >> 14; /* 2^30 at most */
     }
 }

@@ -10,6 +10,9 @@
 
 enum { EXTREME_VERTICES = 12, EXTREME_TRIANGLES = 10, EXTREME_LIGHTS = 4 };
 
+static const uint16_t white_texels[8 * 8] = {0xffff, 0, 0xffff, 0, 0xffff, 0, 0xffff, 0, 0xffff};
+static const glint_environment white_environment = {.texels = white_texels, .side = 8};
+
 #define FARTHEST_Q16 ((int32_t)1 << 30)
 #define LARGEST_Q16 ((int32_t)1 << 26)
 #define NEAREST_Q16 64
@@ -157,6 +160,18 @@ static inline void take_extreme_light(bytes *b, const extreme_scene *e, glint_li
     if (light->direction[0] == 0 && light->direction[1] == 0 && light->direction[2] == 0) {
         light->direction[kind % 3] = INT16_MIN;
     }
+    if (kind & 1 && kind & 128) { /* as far as it may reach, or a point nearly */
+        int32_t room = FARTHEST_Q16;
+        for (int k = 0; k < 3; k++) {
+            const int32_t beside = FARTHEST_Q16 - abs(light->position_q16[k]);
+            room = beside < room ? beside : room;
+            light->edge_q16[0][k] = kind & 4 ? beside / 2 : -(beside % 3);
+            light->edge_q16[1][k] = kind & 16 ? -(beside / 2) : beside % 5;
+        }
+        light->kind = kind & 8 ? GLINT_BALL : GLINT_PANEL;
+        light->radius_q16 = kind & 4 ? room : room % 70000;
+        light->samples = kind & 2 ? GLINT_MAX_SAMPLES : 0;
+    }
     light->colour = kind & 64 ? take_rgb(b, INT16_MAX, false) : (glint_colour){INT16_MAX, INT16_MAX, INT16_MAX};
 }
 
@@ -202,6 +217,8 @@ static inline void take_extreme_scene(bytes *b, extreme_scene *e)
     e->camera.near_q16 = clamp_q16(near_q16, NEAREST_Q16, FARTHEST_Q16);
     e->material.ambient = e->material.diffuse = e->material.specular = (glint_colour){16384, 16384, 16384};
     e->material.exponent_q4 = ONE_OF(b, exponents);
+    e->material.mirror = e->material.exponent_q4 & 16 ? e->material.ambient : (glint_colour){0, 0, 0};
+    e->scene.environment = &white_environment;
     e->material.specular_model = (uint8_t)take_between(b, GLINT_PHONG, GLINT_BLINN);
     for (int i = 0; i < EXTREME_LIGHTS; i++) {
         take_extreme_light(b, e, &e->lights[i]);
