@@ -38,6 +38,15 @@ uint32_t glint_bound_gloss(uint32_t specular, uint16_t exponent_q4)
     return ((specular * slope_root_q4(exponent_q4)) >> 4) * 5 / 131072 + 1;
 }
 
+uint32_t glint_bound_precise(uint32_t specular, uint16_t exponent_q4, uint8_t bits)
+{
+    if (specular == 0) {
+        return 0;
+    }
+    const uint32_t gloss = glint_bound_gloss(specular, exponent_q4);
+    return gloss + (gloss * 9 >> 5) + 1 + glint_bound_gloss_error(specular, exponent_q4, bits) + (specular >> 11);
+}
+
 uint32_t glint_bound_turned(uint32_t specular, uint16_t exponent_q4)
 {
     /* 2 0.607 / 4 = 0.3035; / 16: 1244 / 2^16 */
