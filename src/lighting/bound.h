@@ -94,9 +94,11 @@ uint32_t glint_bound_gloss(uint32_t specular, uint16_t exponent_q4);
 
 /*
  * The error of a specular term where lighting/precise.inc draws it: the slope by an angle of 3.2e-4, that of the table,
- * and 2^-11 of the gap for the ray's length, of which 1 is the most that gap times exponent times the rest can be.
+ * and a gap to 2^-23 for the ray's length.
  */
 uint32_t glint_bound_precise(uint32_t specular, uint16_t exponent_q4, uint8_t bits);
+/* The same with vectors of Q28: an angle of 4e-5, which is that of the planes, and a gap to 2^-23. */
+uint32_t glint_bound_fine(uint32_t specular, uint16_t exponent_q4, uint8_t bits);
 
 /* What a highlight changes when the normal turns by a radian: r turns twice as far. */
 uint32_t glint_bound_turned(uint32_t specular, uint16_t exponent_q4);
@@ -193,6 +195,7 @@ typedef struct glint_bound {
     uint32_t fixed;       /* 1/256 code: rounding and table errors of the tiers below exact */
     uint32_t exact;       /* 1/256 code: error of the exact tier, rounding of the result included */
     uint32_t precise;     /* the same where it does with the lights that reach the triangle: see lighting/precise.inc */
+    uint32_t fine;        /* and with finer vectors */
     uint32_t flat;        /* the same of one colour for all of it */
     uint32_t chord_q16;   /* D, rounded up */
 } glint_bound;

@@ -78,6 +78,13 @@ static inline void unit_of_any(const unit_row *row, real out[3])
     }
 }
 
+static inline void unit_row_next(unit_row *row)
+{
+    row->value[0] += row->step[0];
+    row->value[1] += row->step[1];
+    row->value[2] += row->step[2];
+}
+
 /*
  * `count` unit vectors, Q15. Those of rays are shorter than 1 by 2^-11, see mirrored_gap_q28().
  *
@@ -108,16 +115,14 @@ static GLINT_SPECIALISED void units_along(unit_row row, unit_scale down, bool sh
                 unit[k] -= unit[k] >> 11;
             }
         }
-        row.value[0] += row.step[0];
-        row.value[1] += row.step[1];
-        row.value[2] += row.step[2];
+        unit_row_next(&row);
     }
 }
 
 /*
  * |r - c|^2 / 2 in Q28, r = 2 (n.s) n - s and c = -ray: as field_gap(), where the ray is shorter than 1 by e = 2^-11.
- * That makes the gap (1 - e) gap + e^2 / 2, which costs a highlight 2^-11 of itself at most, and keeps |r - c|^2 below
- * 4 in spite of the 10 units of rounding in r and c: its sum of squares needs no check.
+ * That makes the gap (1 - e) gap + e^2 / 2, which is undone but for 2^-22 of it and the 2^-23 that e^2 / 2 is, and keeps
+ * |r - c|^2 below 4 in spite of the 10 units of rounding in r and c: its sum of squares needs no check.
  */
 static inline uint32_t mirrored_gap_q28(const real n[3], const real s[3], real cosine, const real ray[3])
 {
@@ -125,7 +130,49 @@ static inline uint32_t mirrored_gap_q28(const real n[3], const real s[3], real c
     const uint32_t x = (uint32_t)(((cosine * n[0] + round) >> 14) - s[0] + ray[0]);
     const uint32_t y = (uint32_t)(((cosine * n[1] + round) >> 14) - s[1] + ray[1]);
     const uint32_t z = (uint32_t)(((cosine * n[2] + round) >> 14) - s[2] + ray[2]);
-    return (x * x + y * y + z * z) >> 3;
+    const uint32_t gap_q28 = (x * x + y * y + z * z) >> 3;
+    return gap_q28 + (gap_q28 >> 11);
+}
+
+/* A directional light's direction in Q28. */
+static inline void direction_fine(const light_place *place, real out_q28[3])
+{
+    for (int k = 0; k < 3; k++) {
+        out_q28[k] = (place->fine_q30[k] + 2) >> 2;
+    }
+}
+
+/* The unit vector at the row's first pixel in Q28, see glint_unit_q28(); zero where there is no direction. */
+static inline void unit_fine_at(const unit_row *row, real out_q28[3])
+{
+    const int32_t v[3] = {(int32_t)row->value[0], (int32_t)row->value[1], (int32_t)row->value[2]};
+    if ((magnitude32(v[0]) | magnitude32(v[1]) | magnitude32(v[2])) < UNIT_LEAST || !glint_unit_q28(v, out_q28)) {
+        out_q28[0] = out_q28[1] = out_q28[2] = 0;
+    }
+}
+
+/* a . b of unit vectors in Q28, to 3 units below. */
+static inline int32_t fine_dot_q28(const real a[3], const real b[3])
+{
+    int32_t dot = 0;
+    for (int k = 0; k < 3; k++) {
+        dot += multiply_high_s32(a[k] * 4, b[k] * 4); /* < 2^28 + 2^4 */
+    }
+    return dot;
+}
+
+/* Their cosine as cosine_of() gives it. */
+static inline real fine_cosine(const real n[3], const real s[3])
+{
+    return (fine_dot_q28(n, s) + (1 << 12)) >> 13;
+}
+
+/* 1 - r.c with c = -ray, at least 0, from vectors in Q28: to 2^-23 with their errors. */
+static inline uint32_t fine_gap_q28(const real n[3], const real s[3], const real ray[3])
+{
+    const int32_t facing = fine_dot_q28(n, ray), towards = fine_dot_q28(s, ray), cosine = fine_dot_q28(n, s);
+    const int32_t product = multiply_high_s32(cosine * 4, facing * 4); /* (n.s) (n.ray) */
+    return (uint32_t)positive_part(((int32_t)1 << 28) + 2 * product - towards);
 }
 
 /* The corner's weight by a component of its normal with all the bits that there are, Q28: as normal_weigh(). */
