@@ -46,19 +46,19 @@ static inline unit_scale unit_scale_of_rays(const pixel_rays *rays)
     return rays->fraction > 15 ? rays->fraction - 14 : 1;
 }
 
-/* Of a vector that is linear on the triangle, by its corners, each component below 2^29: the longest, which is one of
+/* Of a vector that is linear on the triangle, by each component at its corners, below 2^29: the longest, which is one of
  * them, comes to 2^14..2^15. */
-static inline unit_scale unit_scale_of_corners(real corner[3][3])
+static inline unit_scale unit_scale_of_corners(real component[3][3])
 {
     uint32_t any = 0, longest = 0;
     for (int i = 0; i < 3; i++) {
-        any |= magnitude32(corner[i][0]) | magnitude32(corner[i][1]) | magnitude32(corner[i][2]);
+        any |= magnitude32(component[i][0]) | magnitude32(component[i][1]) | magnitude32(component[i][2]);
     }
     const int down = 32 - clz32(any) - 15 > 1 ? 32 - clz32(any) - 15 : 1;
     for (int i = 0; i < 3; i++) {
         uint32_t square = 0;
         for (int k = 0; k < 3; k++) {
-            const int32_t c = corner[i][k] >> down;
+            const int32_t c = component[k][i] >> down;
             square += (uint32_t)(c * c); /* <= 3 2^30 */
         }
         longest = square > longest ? square : longest;

@@ -44,9 +44,9 @@ static inline unit_scale unit_scale_of_rays(const pixel_rays *rays)
     return 0;
 }
 
-static inline unit_scale unit_scale_of_corners(real corner[3][3])
+static inline unit_scale unit_scale_of_corners(real component[3][3])
 {
-    (void)corner;
+    (void)component;
     return 0;
 }
 
