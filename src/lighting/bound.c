@@ -50,9 +50,10 @@ uint32_t glint_bound_precise(uint32_t specular, uint16_t exponent_q4, uint8_t bi
 
 uint32_t glint_bound_fine(uint32_t specular, uint16_t exponent_q4, uint8_t bits)
 {
-    return specular == 0 ? 0
-                         : glint_bound_gloss(specular, exponent_q4) / 6 + (multiply_high_u32(specular << 8, exponent_q4) >> 3) +
-                               2 + glint_bound_gloss_error(specular, exponent_q4, bits);
+    return specular == 0
+               ? 0
+               : glint_bound_gloss(specular, exponent_q4) / 6 + (multiply_high_u32(specular << 8, exponent_q4) >> 3) +
+                     2 + glint_bound_gloss_error(specular, exponent_q4, bits);
 }
 
 uint32_t glint_bound_turned(uint32_t specular, uint16_t exponent_q4)

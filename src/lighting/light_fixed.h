@@ -59,10 +59,37 @@ static inline void light_add(light_sum *sum, const light_product *product, real 
     }
 }
 
+/* The same along a row of pixels, but rounded down: light_start_row() has made up for it. */
+static inline void light_add_row(light_sum *sum, const light_product *product, const real *factor_q15, uint16_t count)
+{
+    const uint32_t r = product->q15[0], g = product->q15[1], b = product->q15[2];
+    const real *const end = factor_q15 + count;
+    for (; factor_q15 != end; factor_q15++, sum++) {
+        const uint32_t factor = (uint32_t)*factor_q15;
+        sum->q16[0] += r * factor >> 14;
+        sum->q16[1] += g * factor >> 14;
+        sum->q16[2] += b * factor >> 14;
+    }
+}
+
 static inline void light_start(light_sum *sum, const light_product *ambient)
 {
     for (int k = 0; k < 3; k++) {
         sum->q16[k] = ambient->q15[k] << 1;
+    }
+}
+
+/* Along a row, for `terms` of light_add_row(): each loses less than a unit, half of one on average. */
+static inline void light_start_row(light_sum *sum, const light_product *ambient, uint32_t terms, uint16_t count)
+{
+    const uint32_t more = terms >> 1;
+    const uint32_t r = (ambient->q15[0] << 1) + more, g = (ambient->q15[1] << 1) + more;
+    const uint32_t b = (ambient->q15[2] << 1) + more;
+    const light_sum *const end = sum + count;
+    for (; sum != end; sum++) {
+        sum->q16[0] = r;
+        sum->q16[1] = g;
+        sum->q16[2] = b;
     }
 }
 

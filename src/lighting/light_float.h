@@ -44,10 +44,25 @@ static inline void light_add(light_sum *sum, const light_product *product, real 
     }
 }
 
+static inline void light_add_row(light_sum *sum, const light_product *product, const real *factor, uint16_t count)
+{
+    for (uint16_t i = 0; i < count; i++) {
+        light_add(&sum[i], product, factor[i]);
+    }
+}
+
 static inline void light_start(light_sum *sum, const light_product *ambient)
 {
     for (int k = 0; k < 3; k++) {
         sum->channel[k] = ambient->channel[k];
+    }
+}
+
+static inline void light_start_row(light_sum *sum, const light_product *ambient, uint32_t terms, uint16_t count)
+{
+    (void)terms;
+    for (uint16_t i = 0; i < count; i++) {
+        light_start(&sum[i], ambient);
     }
 }
 

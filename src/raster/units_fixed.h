@@ -46,8 +46,8 @@ static inline unit_scale unit_scale_of_rays(const pixel_rays *rays)
     return rays->fraction > 15 ? rays->fraction - 14 : 1;
 }
 
-/* Of a vector that is linear on the triangle, by each component at its corners, below 2^29: the longest, which is one of
- * them, comes to 2^14..2^15. */
+/* Of a vector that is linear on the triangle, by each component at its corners, below 2^29: the longest, which is one
+ * of them, comes to 2^14..2^15. */
 static inline unit_scale unit_scale_of_corners(real component[3][3])
 {
     uint32_t any = 0, longest = 0;
@@ -88,8 +88,9 @@ static inline void unit_row_next(unit_row *row)
 /*
  * `count` unit vectors, Q15. Those of rays are shorter than 1 by 2^-11, see mirrored_gap_q28().
  *
- * The error of a component is at most 1.6 units: 1/2 for what it was cut by, over a length of at least 1/2, times the
- * root of what its direction leaves; 1/2 for rounding; and the root's relative 2^-15 changes the length only.
+ * The vector from the true one is at most 8.5e-5 long, 2.8 units: sqrt(3) / 2 for what the components are cut by, over
+ * a length of at least 1/2; sqrt(3) / 2 for rounding; and one for the root, which changes the length only. All of the
+ * length's part along the vector, the parts across it are at most 7.9e-5. The worst found is 7.85e-5.
  */
 static GLINT_SPECIALISED void units_along(unit_row row, unit_scale down, bool shortened, uint16_t count, real (*out)[3])
 {
@@ -121,8 +122,8 @@ static GLINT_SPECIALISED void units_along(unit_row row, unit_scale down, bool sh
 
 /*
  * |r - c|^2 / 2 in Q28, r = 2 (n.s) n - s and c = -ray: as field_gap(), where the ray is shorter than 1 by e = 2^-11.
- * That makes the gap (1 - e) gap + e^2 / 2, which is undone but for 2^-22 of it and the 2^-23 that e^2 / 2 is, and keeps
- * |r - c|^2 below 4 in spite of the 10 units of rounding in r and c: its sum of squares needs no check.
+ * That makes the gap (1 - e) gap + e^2 / 2, which is undone but for 2^-22 of it and the 2^-23 that e^2 / 2 is, and
+ * keeps |r - c|^2 below 4 in spite of the 10 units of rounding in r and c: its sum of squares needs no check.
  */
 static inline uint32_t mirrored_gap_q28(const real n[3], const real s[3], real cosine, const real ray[3])
 {
