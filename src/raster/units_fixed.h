@@ -40,10 +40,9 @@ static inline unit_row unit_row_of_rays(const pixel_rays *rays, int16_t x, int16
     return row;
 }
 
-/* Rays are 1 to 2 long where the field of view is below 120 degrees. */
 static inline unit_scale unit_scale_of_rays(const pixel_rays *rays)
 {
-    return rays->fraction > 15 ? rays->fraction - 14 : 1;
+    return rays->down;
 }
 
 /* Of a vector that is linear on the triangle, by each component at its corners, below 2^29: the longest, which is one
