@@ -136,8 +136,8 @@ uint16_t glint_pack_pixel(const glint_target *target, const glint_shade *shade)
     return rgb565(target->format, shade, 1 << 14);
 }
 
-void glint_pack_line(const glint_target *target, const uint32_t base_q27[3], const uint32_t step_q27[3], uint16_t *pixel,
-                     uint16_t count)
+void glint_pack_line(const glint_target *target, const uint32_t base_q27[3], const uint32_t step_q27[3],
+                     uint16_t *pixel, uint16_t count)
 {
     const uint32_t half = 1 << 11, red = step_q27[0], green = step_q27[1], blue = step_q27[2];
     uint32_t r = base_q27[0] + half, g = base_q27[1] + half, b = base_q27[2] + half;

@@ -194,8 +194,9 @@ uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_
     if (rounding >> (28 - size->down) != 0) {
         return UINT32_MAX;
     }
-    /* a unit is 2^(down - 29) / 9, below 2^(down - 28) / 16 */
-    const uint32_t gap_q28 = bent_q28 + ((rounding << size->down) >> 4) + (size->end_q28 >> 15) + 32;
+    /* a unit is 2^(down - 32) of |M|^2 / m, which is at least 2/3 */
+    const uint32_t rounding_q28 = ((rounding + rounding / 2) << size->down) >> 4;
+    const uint32_t gap_q28 = bent_q28 + rounding_q28 + (size->end_q28 >> 15) + (size->end_q28 >> 16) + 32;
     const uint32_t of_gap = multiply_high_u32(gloss << 4, gap_q28) + 1;
     /* 1e-4 is 420 / 2^22 */
     const uint32_t relative_q22 = size->inverse_q22 + ((way * way * 3) >> 9) + 1 + 420;

@@ -161,17 +161,18 @@ typedef struct glint_cubic_size {
     uint32_t reach;        /* the greatest |dx| + |dy| from the centroid to a pixel, */
     uint32_t anchor_reach; /* and from the gradients' anchor */
     uint32_t end_q28;      /* where the table of the specular term ends */
-    int up, down;          /* of raster/lattice_fixed.h: spare bits of the gradients, and bits that the values have less */
+    int up, down; /* of raster/lattice_fixed.h: spare bits of the gradients, and bits that the values have less */
 } glint_cubic_size;
 
 /*
  * A highlight's |M|^2 (1 - r.c) by a polynomial of degree 3 through ten points errs by at most |M|^2 view^2 (0.0103
- * turn^2 + 0.0136 turn view + 0.0064 view^2) (searched for like the above). Rounding adds to the former at n pixels from the centroid C(n, 3) units of 2^(down - 29) / 9 for
- * the rounding of a third difference, C(n, 2) for that of a second and n for a first, each half a unit and what its
- * products were cut by; and the table's argument is rounded to 2^-15 of its end. All of it counts `gloss` times, the
- * specular peak times the exponent. The relative errors of 1/|M|^2, with 1e-4 and (n + 5)^2 3 2^-31 at n pixels from the
- * anchor for rounding (see raster/lattice_fixed.h), are of a gap g, and g exponent (1 - g)^(exponent - 1) is at most 1
- * for exponents from 1 on, 1/2 from 2 on, which `specular` is to account for. UINT32_MAX where there is no bound: coefficients may not fit where `up` is below 2.
+ * turn^2 + 0.0136 turn view + 0.0064 view^2) (searched for like the above). Rounding adds to the former at n pixels
+ * from the centroid C(n, 3) units of 1.5 2^(down - 32) for the rounding of a third difference, C(n, 2) for that of a
+ * second and n for a first, each half a unit and what its products were cut by; and the table's argument is rounded
+ * to 1.5 2^-15 of its end. All of it counts `gloss` times, the specular peak times the exponent. The relative errors of
+ * 1/|M|^2, with 1e-4 and (n + 5)^2 3 2^-31 at n pixels from the anchor for rounding (see raster/lattice_fixed.h), are
+ * of a gap g, and g exponent (1 - g)^(exponent - 1) is at most 1 for exponents from 1 on, 1/2 from 2 on, which
+ * `specular` is to account for. UINT32_MAX where there is no bound: coefficients may not fit where `up` is below 2.
  */
 uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_t specular, uint32_t turn_q16);
 

@@ -33,12 +33,19 @@ typedef struct gloss_corners {
 static const uint8_t gloss_point[LATTICE_POINTS][3] = {{3, 0, 0}, {0, 3, 0}, {0, 0, 3}, {2, 1, 0}, {1, 2, 0},
                                                        {0, 2, 1}, {0, 1, 2}, {1, 0, 2}, {2, 0, 1}, {1, 1, 1}};
 
-/* A quadratic's value at a point, times 9, from its coefficients; and a linear one's, times 3. */
-static inline uint32_t gloss_quadratic(const int32_t of[6], int point)
+/* A quadratic's values at the points, times 9, from its coefficients, modulo 2^32; and a linear one's, times 3. */
+static inline void gloss_quadratic(const int32_t of[6], uint32_t at[LATTICE_POINTS])
 {
-    const uint32_t a = gloss_point[point][0], b = gloss_point[point][1], c = gloss_point[point][2];
-    return a * (a * (uint32_t)of[0] + b * (uint32_t)of[3]) + b * (b * (uint32_t)of[1] + c * (uint32_t)of[4]) +
-           c * (c * (uint32_t)of[2] + a * (uint32_t)of[5]);
+    uint32_t sum = 0;
+    for (int i = 0; i < 3; i++) {
+        const uint32_t a = (uint32_t)of[i], b = (uint32_t)of[i == 2 ? 0 : i + 1], ab = (uint32_t)of[3 + i];
+        const uint32_t both = a + b + 2 * ab;
+        at[i] = 9 * a;
+        at[3 + 2 * i] = both + 3 * a;
+        at[4 + 2 * i] = both + 3 * b;
+        sum += a + ab;
+    }
+    at[9] = sum;
 }
 
 static inline int32_t gloss_linear(const int32_t of[3], int point)
@@ -135,8 +142,8 @@ typedef struct gloss_inverse {
 } gloss_inverse;
 
 /*
- * With h = 1 - x/m, m/x is 1 + h + h^2 + h^3 / (1 - h), and where |h| <= p a third power is best stood for by 3/4 p^2 h:
- * 1 + c h + h^2, c = 1 + 3/4 p^2, is off by a relative p^3 / 4 + 3/4 p^4. That is g^2 + 1 - c^2 / 4, g = h + c/2.
+ * With h = 1 - x/m, m/x is 1 + h + h^2 + h^3 / (1 - h), and where |h| <= p a third power is best stood for by 3/4 p^2
+ * h: 1 + c h + h^2, c = 1 + 3/4 p^2, is off by a relative p^3 / 4 + 3/4 p^4. That is g^2 + 1 - c^2 / 4, g = h + c/2.
  * False where x may be below 1/2.
  */
 static inline bool gloss_inverse_square(gloss_inverse *inverse, const gloss_corners *corners)
@@ -176,8 +183,8 @@ static inline bool gloss_inverse_square(gloss_inverse *inverse, const gloss_corn
     return true;
 }
 
-/* |M|^2 / m times the gap of one light at the points: Q28 less the `down` bits that it returns, all below 2^26. An error
- * of at most 2^-23. */
+/* |M|^2 / m times the gap of one light at the points: Q28 less the `down` bits that it returns, all below 2^26. An
+ * error of at most 2^-23. */
 static inline int gloss_values(const gloss_corners *corners, const gloss_inverse *inverse, const real towards[3],
                                gap_value value[LATTICE_POINTS])
 {
@@ -187,22 +194,26 @@ static inline int gloss_values(const gloss_corners *corners, const gloss_inverse
         light[i] = lattice_weigh(gloss_dot(corners->normal[i], towards), corners->weight_q15[i]) >> 3; /* Q27 */
         towards_ray[i] = gloss_dot(towards, corners->ray[i]) >> 2;                                     /* Q27 */
     }
-    const int32_t scale_q14 = (int32_t)(((uint32_t)inverse->over_m_q14 * 58254) >> 16); /* 8/9 of 1/m */
-    const int32_t mean_q28 = (gloss_dot(towards, towards) >> 3) + ((int32_t)1 << 27); /* (|s|^2 + 1) / 2 */
+    const int32_t scale_q14 = (int32_t)(((uint32_t)inverse->over_m_q14 * 58254 + (1 << 15)) >> 16); /* 8/9 of 1/m */
+    /* (|s|^2 + 1) / 2 is 1 and this: < 2^14, by the rounding of s */
+    const int32_t more_q28 = (gloss_dot(towards, towards) >> 3) - ((int32_t)1 << 27);
+    uint32_t squares[LATTICE_POINTS], facings[LATTICE_POINTS], distances[LATTICE_POINTS];
+    gloss_quadratic(corners->square, squares);
+    gloss_quadratic(corners->facing, facings);
+    gloss_quadratic(corners->distance, distances); /* 9 |R|^2 < 2^31.2 */
     for (int i = 0; i < LATTICE_POINTS; i++) {
-        const uint32_t square = gloss_quadratic(corners->square, i);
-        const int32_t facing = (int32_t)gloss_quadratic(corners->facing, i);
-        const uint32_t distance = gloss_quadratic(corners->distance, i);                      /* 9 |R|^2 < 2^31.2 */
+        const int32_t square = (int32_t)squares[i], facing = (int32_t)facings[i];
         const int32_t along = gloss_linear(light, i), against = gloss_linear(towards_ray, i); /* 3 M.s, 3 s.R */
+        /* 27 (2 (M.s) (M.R) - |M|^2 (s.R)): 27 6 2^23 */
+        const int32_t both_q23 = multiply_high_s32(along * 4, facing) * 2 - multiply_high_s32(square, against * 2);
         /* 1 / (3 |R|) = root 2^(half - 2), refined to 30 bits */
-        const int half = distance < (uint32_t)1 << 30;
-        const uint32_t x = distance << (2 * half), y = glint_inverse_root_q16(x);
+        const int half = distances[i] < (uint32_t)1 << 30;
+        const uint32_t x = distances[i] << (2 * half), y = glint_inverse_root_q16(x);
         const int32_t residual_q30 = ((int32_t)1 << 30) - (int32_t)multiply_high_u32(y * y, x); /* < 2^16 */
         const int32_t root_q30 = (int32_t)(y << 14) + (((residual_q30 >> 2) * (int32_t)(y >> 1)) >> 14);
-        const int32_t away_q28 = multiply_high_s32(against, root_q30) * (2 << half); /* -s.c */
-        const int32_t back_q27 = multiply_high_s32(facing, root_q30) * (2 << half);  /* -3 M.c */
-        const uint32_t sum_q30 = (uint32_t)positive_part(mean_q28 - away_q28) << 2;
-        const int32_t nine_q25 = (int32_t)multiply_high_u32(square, sum_q30) + multiply_high_s32(along * 4, back_q27 * 4);
+        const int32_t root_q31 = (int32_t)((uint32_t)root_q30 * 2 - 2); /* root <= 2^30 */
+        const int32_t nine_q25 =
+            (square >> 2) + (((square >> 16) * more_q28) >> 14) + multiply_high_s32(both_q23, root_q31) * (2 << half);
         value[i] = multiply_q16(nine_q25, scale_q14) * 4; /* |9 gap| <= 18, and 1.78 of it */
         greatest |= magnitude32(value[i]);
     }
@@ -217,8 +228,8 @@ static inline int gloss_values(const gloss_corners *corners, const gloss_inverse
     return down;
 }
 
-/* How the values of a cubic, Q(32 - down), become places in the table of the specular term, in 2^-GAP_BITS of a cell. To
- * them `half` is added, for rounding; those from `limit` on are beyond the table then, all over the triangle. */
+/* How the values of a cubic, Q(32 - down), become places in the table of the specular term, in 2^-GAP_BITS of a cell.
+ * To them `half` is added, for rounding; those from `limit` on are beyond the table then, all over the triangle. */
 typedef struct gap_scale {
     uint32_t half, end;
     int32_t limit;
@@ -232,12 +243,10 @@ static inline gap_scale gap_scale_of(uint16_t cells, uint8_t bits, int down, con
 {
     /* x/m is at most 1 + part; a 32nd more is for rounding */
     const uint32_t end_q28 = (uint32_t)cells << bits; /* <= 1 and a cell */
-    const uint32_t most_q28 = end_q28 + (end_q28 >> 15) * inverse->part_q15 + (end_q28 >> 5) + 2 + (inverse->part_q15 >> 8);
+    const uint32_t most_q28 = end_q28 + multiply_high_u32(end_q28 << 3, inverse->part_q15 << 14) + (end_q28 >> 5) + 2;
     const uint32_t farthest = (uint32_t)1 << 30; /* no value is beyond that */
     const int up = 4 - down;
-    const uint32_t limit = up <= 0                              ? most_q28 >> -up
-                           : most_q28 >> (30 - up) != 0 ? farthest
-                                                                : most_q28 << up;
+    const uint32_t limit = up <= 0 ? most_q28 >> -up : most_q28 >> (30 - up) != 0 ? farthest : most_q28 << up;
     gap_scale scale;
     int cut = 0;
     while (limit >> cut >= 65535) {
@@ -264,12 +273,18 @@ static inline bool gap_beyond(uint32_t value, const gap_scale *scale)
     return (int32_t)value >= scale->limit;
 }
 
-/* A cubic's value below the limit, rounded to 15 bits of that and more, which costs up to 2^-16 of it. */
+/* Is it from 0 to the limit? */
+static inline bool gap_within(uint32_t value, const gap_scale *scale)
+{
+    return value < (uint32_t)scale->limit;
+}
+
+/* A cubic's value within these, rounded to 15 bits of the limit and more, which costs up to 2^-16 of it. */
 typedef uint16_t gap_part;
 
 static inline gap_part gap_part_of(uint32_t value, const gap_scale *scale)
 {
-    return (gap_part)((uint32_t)positive_part((int32_t)value) >> scale->cut);
+    return (gap_part)(value >> scale->cut);
 }
 
 /* The place in the table, from that and m/x: at or after scale->end beyond it. */

@@ -133,6 +133,11 @@ static inline bool gap_beyond(float value, const gap_scale *scale)
     return value >= scale->limit;
 }
 
+static inline bool gap_within(float value, const gap_scale *scale)
+{
+    return value >= 0.0f && value < scale->limit;
+}
+
 typedef float gap_part;
 
 static inline gap_part gap_part_of(float value, const gap_scale *scale)
@@ -144,8 +149,7 @@ static inline gap_part gap_part_of(float value, const gap_scale *scale)
 /* Rounded to the nearest. */
 static inline uint32_t gap_place_of(gap_part part, float inverse, const gap_scale *scale)
 {
-    const float place = part * inverse * scale->places + 0.5f; /* below 2^19 */
-    return place > 0.0f ? (uint32_t)place : 0;
+    return (uint32_t)(part * inverse * scale->places + 0.5f); /* below 2^19 */
 }
 
 #endif
