@@ -157,6 +157,7 @@ uint32_t glint_bound_curve(uint32_t diffuse, uint32_t turn_q16);
 /* What the errors of cubics depend on. */
 typedef struct glint_cubic_size {
     uint32_t view_q16;     /* the longest edge of the triangle of rays R, over the least |R| on it: their turn */
+    uint32_t part_q15;     /* |M|^2 lies within 1 - part..1 + part times a constant; at most 1/3 */
     uint32_t inverse_q22;  /* the relative error of the polynomial for 1/|M|^2 */
     uint32_t reach;        /* the greatest |dx| + |dy| from the centroid to a pixel, */
     uint32_t anchor_reach; /* and from the gradients' anchor */
@@ -167,12 +168,13 @@ typedef struct glint_cubic_size {
 /*
  * A highlight's |M|^2 (1 - r.c) by a polynomial of degree 3 through ten points errs by at most |M|^2 view^2 (0.0103
  * turn^2 + 0.0136 turn view + 0.0064 view^2) (searched for like the above). Rounding adds to the former at n pixels
- * from the centroid C(n, 3) units of 1.5 2^(down - 32) for the rounding of a third difference, C(n, 2) for that of a
- * second and n for a first, each half a unit and what its products were cut by; and the table's argument is rounded
- * to 1.5 2^-15 of its end. All of it counts `gloss` times, the specular peak times the exponent. The relative errors of
- * 1/|M|^2, with 1e-4 and (n + 5)^2 3 2^-31 at n pixels from the anchor for rounding (see raster/lattice_fixed.h), are
- * of a gap g, and g exponent (1 - g)^(exponent - 1) is at most 1 for exponents from 1 on, 1/2 from 2 on, which
- * `specular` is to account for. UINT32_MAX where there is no bound: coefficients may not fit where `up` is below 2.
+ * from the centroid C(n, 3) units of 2^(down - 32) (1 + 3/2 part) for the rounding of a third difference, C(n, 2) for
+ * that of a second and n for a first, each half a unit and what its products were cut by; and the table's argument is
+ * rounded to 1.5 2^-15 of its end. All of it counts `gloss` times, the specular peak times the exponent. The relative
+ * errors of 1/|M|^2, with 1e-4 and (n + 5)^2 3 2^-31 at n pixels from the anchor for rounding (see
+ * raster/lattice_fixed.h), are of a gap g, and g exponent (1 - g)^(exponent - 1) is at most 1 for exponents from 1 on,
+ * 1/2 from 2 on, which `specular` is to account for. UINT32_MAX where there is no bound: coefficients may not fit where
+ * `up` is below 2.
  */
 uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_t specular, uint32_t turn_q16);
 

@@ -141,6 +141,11 @@ typedef struct gloss_inverse {
     uint32_t error_q22; /* of 1/x, relative, at most; rounding adds 1e-4 */
 } gloss_inverse;
 
+static inline uint32_t gloss_part_q15(const gloss_inverse *inverse)
+{
+    return inverse->part_q15;
+}
+
 /*
  * With h = 1 - x/m, m/x is 1 + h + h^2 + h^3 / (1 - h), and where |h| <= p a third power is best stood for by 3/4 p^2
  * h: 1 + c h + h^2, c = 1 + 3/4 p^2, is off by a relative p^3 / 4 + 3/4 p^4. That is g^2 + 1 - c^2 / 4, g = h + c/2.

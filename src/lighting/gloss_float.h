@@ -55,6 +55,11 @@ typedef struct gloss_inverse {
     uint32_t error_q22;
 } gloss_inverse;
 
+static inline uint32_t gloss_part_q15(const gloss_inverse *inverse)
+{
+    return (uint32_t)(inverse->part * 32768.0f) + 1;
+}
+
 static inline bool gloss_inverse_square(gloss_inverse *inverse, const gloss_corners *corners)
 {
     float corner[3], middle[3], most = 0.0f, least = 4.0f, edge = 0.0f;

@@ -385,7 +385,8 @@ static long double cubic_rounding(const glint_cubic_size *size)
     /* half a unit each, and what the products before were cut by */
     const long double units = third * (0.5L + 3 * exp2l(8 - 3 * size->up)) +
                               second * (0.5L + 3 * exp2l(6 - 2 * size->up)) + n * (0.5L + 2 * exp2l(5 - size->up));
-    return 1.5L * units * exp2l(size->down - 32) + 1.3L * size->end_q28 / exp2l(28 + 15);
+    const long double part = size->part_q15 / 32768.0L;
+    return units * exp2l(size->down - 32) / (1 - part) + (0.78L + 1.56L * part) * size->end_q28 / exp2l(28 + 15);
 }
 
 static void rounding_of_cubics_is_its_formula(void **state)
@@ -398,6 +399,7 @@ static void rounding_of_cubics_is_its_formula(void **state)
                                        .reach = (uint32_t)random_between(1, 255),
                                        .end_q28 = (uint32_t)exp2l(28 * random_unit()),
                                        .up = random_between(2, 12),
+                                       .part_q15 = (uint32_t)random_between(0, 10922),
                                        .down = random_between(0, 6)};
         const uint32_t gloss = (uint32_t)exp2l(8 + 16 * random_unit()) - 1;
         const uint32_t bound = glint_bound_cubic(&size, gloss, 0, 0);
@@ -428,7 +430,8 @@ static void relative_errors_count_by_the_peak(void **state)
                                        .up = 20};
         const uint32_t specular = (uint32_t)exp2l(8 + 16 * random_unit()) - 1;
         const long double n = size.anchor_reach;
-        /* (1/2 + 3/4) (n + 1)^2 + 5 (n + 1) units of Q30 of g; a relative 2 g / (g^2 + 0.706) of that, which is 1.19 at most */
+        /* (1/2 + 3/4) (n + 1)^2 + 5 (n + 1) units of Q30 of g; a relative 2 g / (g^2 + 0.706) of that, which is 1.19 at
+         * most */
         const long double real =
             size.inverse_q22 / exp2l(22) + 1e-4L + 1.19L * (1.25L * (n + 1) * (n + 1) + 5 * (n + 1)) / exp2l(30);
         const uint32_t bound = glint_bound_cubic(&size, 0, specular, 0);
@@ -453,6 +456,8 @@ static void cubics_that_have_no_bound_are_refused(void **state)
     refused = served, refused.reach = 256;
     assert_int_equal(glint_bound_cubic(&refused, 1000, 1000, 9000), UINT32_MAX);
     refused = served, refused.anchor_reach = 4091;
+    assert_int_equal(glint_bound_cubic(&refused, 1000, 1000, 9000), UINT32_MAX);
+    refused = served, refused.part_q15 = 10925;
     assert_int_equal(glint_bound_cubic(&refused, 1000, 1000, 9000), UINT32_MAX);
     refused = served, refused.inverse_q22 = 1 << 20;
     assert_int_equal(glint_bound_cubic(&refused, 1000, 1000, 9000), UINT32_MAX);

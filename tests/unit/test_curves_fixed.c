@@ -49,8 +49,8 @@
 #define PART_OF(x) ((uint32_t)((x)*32768) + 1)
 #define GAP_VALUE_SCALE 4e-5L
 #define INVERSE_SQUARE_ERROR 1e-4L
-/* Half of the 15 to 16 bits of a limit of up to 1.4, over x from 2/3 of m on, and half a place in 256 cells. */
-#define GAP_END_ERROR (1.3L * exp2l(-15))
+/* Half of the 15 to 16 bits of a limit, over the least x/m, and half a place in 256 cells. */
+#define GAP_END_ERROR(part) ((0.8L + 1.6L * (part)) * exp2l(-15))
 #define GAP_ERROR 7e-5L /* 15 bits of m/x, and of g, from 3/4 on */
 #define GAP_WITHIN(value, scale) gap_within((uint32_t)(value), scale)
 #define GAP_PLACE(value, inverse, scale)                                                                               \

@@ -45,9 +45,9 @@
 #define PART_ONE 1
 #define PART_OF(x) ((float)(x) + 1e-7f)
 #define GAP_VALUE_SCALE 0
-#define INVERSE_SQUARE_ERROR 6e-7L /* twice the root's 1e-7, and the sum before it */
-#define GAP_END_ERROR exp2l(-17)   /* half a place in 256 cells */
-#define GAP_ERROR 4e-7L            /* roundings, and the value's and the inverse's own */
+#define INVERSE_SQUARE_ERROR 6e-7L                    /* twice the root's 1e-7, and the sum before it */
+#define GAP_END_ERROR(part) (exp2l(-17) + 0 * (part)) /* half a place in 256 cells */
+#define GAP_ERROR 4e-7L                               /* roundings, and the value's and the inverse's own */
 #define GAP_WITHIN(value, scale) gap_within(value, scale)
 #define GAP_PLACE(value, inverse, scale) gap_place_of(gap_part_of(value, scale), (float)(inverse), scale)
 #define GAP_INVERSE(g, inverse) ((long double)gap_inverse((float)(g), &(inverse)->rest))

@@ -391,7 +391,7 @@ static inline void places_are_products_of_the_polynomials(void **state)
         within++;
         const long double got = ldexpl(GAP_PLACE(at, 1 / square, &scale), bits - GAP_BITS - 28);
         const long double error = fabsl(got - gap) - CUBIC_UNIT(down) / square;
-        worst = worse(worst, error / (end * GAP_END_ERROR + gap * GAP_ERROR + exp2l(-28)));
+        worst = worse(worst, error / (end * GAP_END_ERROR(part) + gap * GAP_ERROR + exp2l(-28)));
     }
     assert_true(beyond > 10000 && within > 100000);
     expect_bound("a place in the table from values of the polynomials, over its bound", worst, 1);
