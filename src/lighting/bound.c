@@ -202,7 +202,8 @@ uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_
     /* 2^-15 (0.8 + 1.6 part) of the end */
     const uint32_t place_q28 = multiply_high_u32(size->end_q28 << 2, 26215 + size->part_q15 * 8 / 5) + 1;
     const uint32_t gap_q28 = bent_q28 + rounding_q28 + place_q28 + 32;
-    const uint32_t of_gap = multiply_high_u32(gloss << 4, gap_q28) + 1;
+    const uint32_t times = size->together < gloss && gap_q28 <= GLINT_GAP_OFF_Q28 ? size->together : gloss;
+    const uint32_t of_gap = multiply_high_u32(times << 4, gap_q28) + 1;
     /* 1e-4 is 420 / 2^22 */
     const uint32_t relative_q22 = size->inverse_q22 + ((way * way * 3) >> 9) + 1 + 420;
     return of_gap + (multiply_high_u32(specular << 8, relative_q22 << 2)) + 1;

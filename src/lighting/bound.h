@@ -154,8 +154,12 @@ uint32_t glint_bound_quadratic(uint32_t gloss, uint32_t normal_q20, uint32_t vie
 #define GLINT_TURN_MOST_Q16 45000 /* 0.69 */
 uint32_t glint_bound_curve(uint32_t diffuse, uint32_t turn_q16);
 
+/* By how much a gap may be off where it counts `together` times only: 2^-11. */
+#define GLINT_GAP_OFF_Q28 ((uint32_t)1 << 17)
+
 /* What the errors of cubics depend on. */
 typedef struct glint_cubic_size {
+    uint32_t together;     /* what all the gaps at one place cost in 1/256 code a unit, if that is less than `gloss` */
     uint32_t view_q16;     /* the longest edge of the triangle of rays R, over the least |R| on it: their turn */
     uint32_t part_q15;     /* |M|^2 lies within 1 - part..1 + part times a constant; at most 1/3 */
     uint32_t inverse_q22;  /* the relative error of the polynomial for 1/|M|^2 */

@@ -332,7 +332,7 @@ static long double curve_bound(long double turn)
 /* Without what is added for rounding: 33 of 2^28, and a unit of each sum. */
 static long double cubic_bound(long double turn, long double view)
 {
-    const glint_cubic_size size = {.view_q16 = (uint32_t)ceill(view * ONE_Q16), .reach = 0, .up = 20};
+    const glint_cubic_size size = {.view_q16 = (uint32_t)ceill(view * ONE_Q16), .reach = 0, .together = UINT32_MAX, .up = 20};
     const uint32_t bound = glint_bound_cubic(&size, BRIGHT, 0, (uint32_t)ceill(turn * ONE_Q16));
     assert_true(bound != UINT32_MAX);
     return (bound - 2.0L) / BRIGHT - 33 * exp2l(-28);
@@ -427,7 +427,7 @@ static void relative_errors_count_by_the_peak(void **state)
     for (int round = 0; round < 400000; round++) {
         const glint_cubic_size size = {.inverse_q22 = (uint32_t)exp2l(20 * random_unit()) - 1,
                                        .anchor_reach = (uint32_t)exp2l(11 * random_unit()),
-                                       .up = 20};
+                                       .together = UINT32_MAX, .up = 20};
         const uint32_t specular = (uint32_t)exp2l(8 + 16 * random_unit()) - 1;
         const long double n = size.anchor_reach;
         /* (1/2 + 3/4) (n + 1)^2 + 5 (n + 1) units of Q30 of g; a relative 2 g / (g^2 + 0.706) of that, which is 1.19 at
