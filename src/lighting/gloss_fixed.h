@@ -266,11 +266,13 @@ static inline gap_scale gap_scale_of(uint16_t cells, uint8_t bits, int down, con
     return scale;
 }
 
-/* m/x, Q15, where the row has come to g. */
-static inline uint32_t gap_inverse(uint32_t g_q30, const gloss_inverse_rest *rest)
+/* m/x, Q15, where the row has come to g: at most 3/2. */
+typedef uint16_t gap_factor;
+
+static inline gap_factor gap_inverse(uint32_t g_q30, const gloss_inverse_rest *rest)
 {
     const uint32_t g_q15 = g_q30 >> 15;
-    return (g_q15 * g_q15 + *rest) >> 15;
+    return (gap_factor)((g_q15 * g_q15 + *rest) >> 15);
 }
 
 static inline bool gap_beyond(uint32_t value, const gap_scale *scale)
@@ -293,7 +295,7 @@ static inline gap_part gap_part_of(uint32_t value, const gap_scale *scale)
 }
 
 /* The place in the table, from that and m/x: at or after scale->end beyond it. */
-static inline uint32_t gap_place_of(gap_part part, uint32_t inverse_q15, const gap_scale *scale)
+static inline uint32_t gap_place_of(gap_part part, gap_factor inverse_q15, const gap_scale *scale)
 {
     return ((uint32_t)part * inverse_q15) >> scale->down; /* < 2^16 2^15.6 */
 }

@@ -128,7 +128,9 @@ static inline gap_scale gap_scale_of(uint16_t cells, uint8_t bits, int down, con
     return scale;
 }
 
-static inline float gap_inverse(float g, const gloss_inverse_rest *rest)
+typedef float gap_factor;
+
+static inline gap_factor gap_inverse(float g, const gloss_inverse_rest *rest)
 {
     return g * g + *rest;
 }
@@ -152,7 +154,7 @@ static inline gap_part gap_part_of(float value, const gap_scale *scale)
 }
 
 /* Rounded to the nearest. */
-static inline uint32_t gap_place_of(gap_part part, float inverse, const gap_scale *scale)
+static inline uint32_t gap_place_of(gap_part part, gap_factor inverse, const gap_scale *scale)
 {
     return (uint32_t)(part * inverse * scale->places + 0.5f); /* below 2^19 */
 }

@@ -54,7 +54,7 @@
 #define GAP_ERROR 7e-5L /* 15 bits of m/x, and of g, from 3/4 on */
 #define GAP_WITHIN(value, scale) gap_within((uint32_t)(value), scale)
 #define GAP_PLACE(value, inverse, scale)                                                                               \
-    gap_place_of(gap_part_of((uint32_t)(value), scale), (uint32_t)rintl((inverse)*32768), scale)
+    gap_place_of(gap_part_of((uint32_t)(value), scale), (gap_factor)rintl((inverse)*32768), scale)
 #define GAP_INVERSE(g, inverse) (gap_inverse((uint32_t)rintl(g), &(inverse)->rest) / 32768.0L)
 
 #define ROW_UNIT 1
