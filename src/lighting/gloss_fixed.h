@@ -34,18 +34,18 @@ static const uint8_t gloss_point[LATTICE_POINTS][3] = {{3, 0, 0}, {0, 3, 0}, {0,
                                                        {0, 2, 1}, {0, 1, 2}, {1, 0, 2}, {2, 0, 1}, {1, 1, 1}};
 
 /* A quadratic's values at the points, times 9, from its coefficients, modulo 2^32; and a linear one's, times 3. */
-static inline void gloss_quadratic(const int32_t of[6], uint32_t at[LATTICE_POINTS])
+static inline void gloss_quadratic(const int32_t of[6], int32_t at[LATTICE_POINTS])
 {
     uint32_t sum = 0;
     for (int i = 0; i < 3; i++) {
         const uint32_t a = (uint32_t)of[i], b = (uint32_t)of[i == 2 ? 0 : i + 1], ab = (uint32_t)of[3 + i];
         const uint32_t both = a + b + 2 * ab;
-        at[i] = 9 * a;
-        at[3 + 2 * i] = both + 3 * a;
-        at[4 + 2 * i] = both + 3 * b;
+        at[i] = (int32_t)(9 * a);
+        at[3 + 2 * i] = (int32_t)(both + 3 * a);
+        at[4 + 2 * i] = (int32_t)(both + 3 * b);
         sum += a + ab;
     }
-    at[9] = sum;
+    at[9] = (int32_t)sum;
 }
 
 static inline int32_t gloss_linear(const int32_t of[3], int point)
@@ -188,10 +188,34 @@ static inline bool gloss_inverse_square(gloss_inverse *inverse, const gloss_corn
     return true;
 }
 
+/* What all lights have in common at the points of a cubic: 9 |M|^2 (Q27), 9 M.R (Q26) and 1 / (3 |R|), which is root
+ * 2^(half - 2) with root in Q31. */
+typedef struct gloss_points {
+    int32_t square[LATTICE_POINTS], facing[LATTICE_POINTS], root_q31[LATTICE_POINTS];
+    uint8_t half[LATTICE_POINTS];
+} gloss_points;
+
+static inline void gloss_points_of(gloss_points *points, const gloss_corners *corners)
+{
+    int32_t distance[LATTICE_POINTS];
+    gloss_quadratic(corners->square, points->square);
+    gloss_quadratic(corners->facing, points->facing);
+    gloss_quadratic(corners->distance, distance); /* 9 |R|^2 < 2^31.2 */
+    for (int i = 0; i < LATTICE_POINTS; i++) {
+        const int half = (uint32_t)distance[i] < (uint32_t)1 << 30;
+        const uint32_t x = (uint32_t)distance[i] << (2 * half), y = glint_inverse_root_q16(x);
+        /* refined to 30 bits: at most 2^30 */
+        const int32_t residual_q30 = ((int32_t)1 << 30) - (int32_t)multiply_high_u32(y * y, x); /* < 2^16 */
+        const int32_t root_q30 = (int32_t)(y << 14) + (((residual_q30 >> 2) * (int32_t)(y >> 1)) >> 14);
+        points->root_q31[i] = (int32_t)((uint32_t)root_q30 * 2 - 2);
+        points->half[i] = (uint8_t)half;
+    }
+}
+
 /* |M|^2 / m times the gap of one light at the points: Q28 less the `down` bits that it returns, all below 2^26. An
- * error of at most 2^-23. */
-static inline int gloss_values(const gloss_corners *corners, const gloss_inverse *inverse, const real towards[3],
-                               gap_value value[LATTICE_POINTS])
+ * error of at most 2^-23, and of a relative 4e-5 that is one for all of them. */
+static inline int gloss_values(const gloss_corners *corners, const gloss_points *points, const gloss_inverse *inverse,
+                               const real towards[3], gap_value value[LATTICE_POINTS])
 {
     int32_t light[3], towards_ray[3];
     uint32_t greatest = 0;
@@ -202,23 +226,14 @@ static inline int gloss_values(const gloss_corners *corners, const gloss_inverse
     const int32_t scale_q14 = (int32_t)(((uint32_t)inverse->over_m_q14 * 58254 + (1 << 15)) >> 16); /* 8/9 of 1/m */
     /* (|s|^2 + 1) / 2 is 1 and this: < 2^14, by the rounding of s */
     const int32_t more_q28 = (gloss_dot(towards, towards) >> 3) - ((int32_t)1 << 27);
-    uint32_t squares[LATTICE_POINTS], facings[LATTICE_POINTS], distances[LATTICE_POINTS];
-    gloss_quadratic(corners->square, squares);
-    gloss_quadratic(corners->facing, facings);
-    gloss_quadratic(corners->distance, distances); /* 9 |R|^2 < 2^31.2 */
     for (int i = 0; i < LATTICE_POINTS; i++) {
-        const int32_t square = (int32_t)squares[i], facing = (int32_t)facings[i];
+        const int32_t square = points->square[i];
         const int32_t along = gloss_linear(light, i), against = gloss_linear(towards_ray, i); /* 3 M.s, 3 s.R */
         /* 27 (2 (M.s) (M.R) - |M|^2 (s.R)): 27 6 2^23 */
-        const int32_t both_q23 = multiply_high_s32(along * 4, facing) * 2 - multiply_high_s32(square, against * 2);
-        /* 1 / (3 |R|) = root 2^(half - 2), refined to 30 bits */
-        const int half = distances[i] < (uint32_t)1 << 30;
-        const uint32_t x = distances[i] << (2 * half), y = glint_inverse_root_q16(x);
-        const int32_t residual_q30 = ((int32_t)1 << 30) - (int32_t)multiply_high_u32(y * y, x); /* < 2^16 */
-        const int32_t root_q30 = (int32_t)(y << 14) + (((residual_q30 >> 2) * (int32_t)(y >> 1)) >> 14);
-        const int32_t root_q31 = (int32_t)((uint32_t)root_q30 * 2 - 2); /* root <= 2^30 */
-        const int32_t nine_q25 =
-            (square >> 2) + (((square >> 16) * more_q28) >> 14) + multiply_high_s32(both_q23, root_q31) * (2 << half);
+        const int32_t both_q23 =
+            multiply_high_s32(along * 4, points->facing[i]) * 2 - multiply_high_s32(square, against * 2);
+        const int32_t nine_q25 = (square >> 2) + (((square >> 16) * more_q28) >> 14) +
+                                 multiply_high_s32(both_q23, points->root_q31[i]) * (2 << points->half[i]);
         value[i] = multiply_q16(nine_q25, scale_q14) * 4; /* |9 gap| <= 18, and 1.78 of it */
         greatest |= magnitude32(value[i]);
     }

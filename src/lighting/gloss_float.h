@@ -90,12 +90,15 @@ static inline bool gloss_inverse_square(gloss_inverse *inverse, const gloss_corn
     return true;
 }
 
-static inline int gloss_values(const gloss_corners *corners, const gloss_inverse *inverse, const real towards[3],
-                               float value[LATTICE_POINTS])
+/* What all lights have in common at the points of a cubic: M, R, |M|^2 and 1/|R|. */
+typedef struct gloss_points {
+    float m[LATTICE_POINTS][3], ray[LATTICE_POINTS][3], square[LATTICE_POINTS], root[LATTICE_POINTS];
+} gloss_points;
+
+static inline void gloss_points_of(gloss_points *points, const gloss_corners *corners)
 {
-    const float mean = 0.5f + 0.5f * cosine_of(towards, towards);
     for (int i = 0; i < LATTICE_POINTS; i++) {
-        float m[3], ray[3];
+        float *const m = points->m[i], *const ray = points->ray[i];
         for (int k = 0; k < 3; k++) {
             m[k] = ray[k] = 0.0f;
             for (int j = 0; j < 3; j++) {
@@ -104,8 +107,19 @@ static inline int gloss_values(const gloss_corners *corners, const gloss_inverse
                 ray[k] += share * corners->ray[j][k];
             }
         }
-        const float root = glint_inverse_root(cosine_of(ray, ray));
-        value[i] = inverse->over_m * (cosine_of(m, m) * (mean - cosine_of(towards, ray) * root) +
+        points->square[i] = cosine_of(m, m);
+        points->root[i] = glint_inverse_root(cosine_of(ray, ray));
+    }
+}
+
+static inline int gloss_values(const gloss_corners *corners, const gloss_points *points, const gloss_inverse *inverse,
+                               const real towards[3], float value[LATTICE_POINTS])
+{
+    const float mean = 0.5f + 0.5f * cosine_of(towards, towards);
+    (void)corners;
+    for (int i = 0; i < LATTICE_POINTS; i++) {
+        const float *const m = points->m[i], *const ray = points->ray[i], root = points->root[i];
+        value[i] = inverse->over_m * (points->square[i] * (mean - cosine_of(towards, ray) * root) +
                                       2.0f * cosine_of(m, towards) * (cosine_of(m, ray) * root));
     }
     return 0;

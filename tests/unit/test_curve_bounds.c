@@ -332,7 +332,8 @@ static long double curve_bound(long double turn)
 /* Without what is added for rounding: 33 of 2^28, and a unit of each sum. */
 static long double cubic_bound(long double turn, long double view)
 {
-    const glint_cubic_size size = {.view_q16 = (uint32_t)ceill(view * ONE_Q16), .reach = 0, .together = UINT32_MAX, .up = 20};
+    const glint_cubic_size size = {
+        .view_q16 = (uint32_t)ceill(view * ONE_Q16), .reach = 0, .together = UINT32_MAX, .up = 20};
     const uint32_t bound = glint_bound_cubic(&size, BRIGHT, 0, (uint32_t)ceill(turn * ONE_Q16));
     assert_true(bound != UINT32_MAX);
     return (bound - 2.0L) / BRIGHT - 33 * exp2l(-28);
@@ -395,7 +396,8 @@ static void rounding_of_cubics_is_its_formula(void **state)
     long served = 0;
     (void)state;
     for (int round = 0; round < 400000; round++) {
-        const glint_cubic_size size = {.view_q16 = 0,
+        const glint_cubic_size size = {.together = UINT32_MAX,
+                                       .view_q16 = 0,
                                        .reach = (uint32_t)random_between(1, 255),
                                        .end_q28 = (uint32_t)exp2l(28 * random_unit()),
                                        .up = random_between(2, 12),
@@ -425,9 +427,11 @@ static void relative_errors_count_by_the_peak(void **state)
     long double below = 0, above = 0;
     (void)state;
     for (int round = 0; round < 400000; round++) {
-        const glint_cubic_size size = {.inverse_q22 = (uint32_t)exp2l(20 * random_unit()) - 1,
+        const glint_cubic_size size = {.together = UINT32_MAX,
+                                       .inverse_q22 = (uint32_t)exp2l(20 * random_unit()) - 1,
                                        .anchor_reach = (uint32_t)exp2l(11 * random_unit()),
-                                       .together = UINT32_MAX, .up = 20};
+
+                                       .up = 20};
         const uint32_t specular = (uint32_t)exp2l(8 + 16 * random_unit()) - 1;
         const long double n = size.anchor_reach;
         /* (1/2 + 3/4) (n + 1)^2 + 5 (n + 1) units of Q30 of g; a relative 2 g / (g^2 + 0.706) of that, which is 1.19 at
@@ -445,9 +449,28 @@ static void relative_errors_count_by_the_peak(void **state)
     expect_at_most("what is counted, over them", above, 1.5L);
 }
 
+/* `together` counts instead of `gloss` where it is less, and where gaps are off by no more than it allows for. */
+static void highlights_together_cost_no_more(void **state)
+{
+    const uint32_t gloss = (uint32_t)1 << 20;
+    (void)state;
+    for (uint32_t reach = 1; reach <= 255; reach++) {
+        glint_cubic_size size = {.together = gloss / 4, .view_q16 = 9000, .reach = reach, .up = 2, .down = 4};
+        const uint32_t together = glint_bound_cubic(&size, gloss, 0, 20000);
+        const uint32_t alone = glint_bound_cubic(&size, gloss / 4, 0, 20000);
+        size.together = UINT32_MAX;
+        const uint32_t all = glint_bound_cubic(&size, gloss, 0, 20000);
+        const long double gap_q28 = (long double)all / gloss * 268435456;
+        assert_int_equal(together, gap_q28 < 0.99L * GLINT_GAP_OFF_Q28   ? alone
+                                   : gap_q28 > 1.01L * GLINT_GAP_OFF_Q28 ? all
+                                                                         : together);
+    }
+}
+
 static void cubics_that_have_no_bound_are_refused(void **state)
 {
-    const glint_cubic_size served = {.view_q16 = 3000, .reach = 20, .end_q28 = 1 << 24, .up = 4, .down = 1};
+    const glint_cubic_size served = {
+        .together = UINT32_MAX, .view_q16 = 3000, .reach = 20, .end_q28 = 1 << 24, .up = 4, .down = 1};
     glint_cubic_size refused = served;
     (void)state;
     assert_true(glint_bound_cubic(&served, 1000, 1000, 9000) < 1000);
@@ -469,9 +492,9 @@ static void cubics_that_have_no_bound_are_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        numeric_test(cosines_err_by_the_cube_of_the_turn),   numeric_test(highlights_err_by_both_turns),
-        numeric_test(rounding_of_cubics_is_its_formula),     numeric_test(relative_errors_count_by_the_peak),
-        numeric_test(cubics_that_have_no_bound_are_refused),
+        numeric_test(cosines_err_by_the_cube_of_the_turn), numeric_test(highlights_err_by_both_turns),
+        numeric_test(rounding_of_cubics_is_its_formula),   numeric_test(relative_errors_count_by_the_peak),
+        numeric_test(highlights_together_cost_no_more),    numeric_test(cubics_that_have_no_bound_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -206,10 +206,12 @@ static inline void gaps_at_points_are_of_the_geometry(void **state)
         gloss_case c;
         gap_value value[LATTICE_POINTS];
         gloss_inverse inverse;
+        gloss_points points;
         if (!random_gloss(&c, ORDINARY_PX) || !gloss_inverse_square(&inverse, &c.corners)) {
             continue;
         }
-        const int down = gloss_values(&c.corners, &inverse, c.towards, value);
+        gloss_points_of(&points, &c.corners);
+        const int down = gloss_values(&c.corners, &points, &inverse, c.towards, value);
         const long double over_m = (long double)inverse.over_m / OVER_M_ONE;
         worst.cases++;
         for (int i = 0; i < LATTICE_POINTS; i++) {
@@ -308,8 +310,10 @@ static inline void cubics_of_highlights_keep_their_bound(void **state)
         gloss_case c;
         gap_value value[LATTICE_POINTS];
         gloss_inverse inverse;
+        gloss_points points;
         if (random_gloss(&c, ORDINARY_PX) && gloss_inverse_square(&inverse, &c.corners)) {
-            (void)gloss_values(&c.corners, &inverse, c.towards, value);
+            gloss_points_of(&points, &c.corners);
+            (void)gloss_values(&c.corners, &points, &inverse, c.towards, value);
             check_cubic(&c.t, value, &gap);
         }
     }
