@@ -223,7 +223,7 @@ static inline int gloss_values(const gloss_corners *corners, const gloss_points 
         light[i] = lattice_weigh(gloss_dot(corners->normal[i], towards), corners->weight_q15[i]) >> 3; /* Q27 */
         towards_ray[i] = gloss_dot(towards, corners->ray[i]) >> 2;                                     /* Q27 */
     }
-    const int32_t scale_q14 = (int32_t)(((uint32_t)inverse->over_m_q14 * 58254 + (1 << 15)) >> 16); /* 8/9 of 1/m */
+    const int32_t scale_q14 = (int32_t)(((uint32_t)inverse->over_m_q14 * 58254 + 32768u) >> 16); /* 8/9 of 1/m */
     /* (|s|^2 + 1) / 2 is 1 and this: < 2^14, by the rounding of s */
     const int32_t more_q28 = (gloss_dot(towards, towards) >> 3) - ((int32_t)1 << 27);
     for (int i = 0; i < LATTICE_POINTS; i++) {
