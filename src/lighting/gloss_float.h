@@ -98,7 +98,7 @@ typedef struct gloss_points {
 static inline void gloss_points_of(gloss_points *points, const gloss_corners *corners)
 {
     for (int i = 0; i < LATTICE_POINTS; i++) {
-        float *const m = points->m[i], *const ray = points->ray[i];
+        float m[3], ray[3];
         for (int k = 0; k < 3; k++) {
             m[k] = ray[k] = 0.0f;
             for (int j = 0; j < 3; j++) {
@@ -106,6 +106,8 @@ static inline void gloss_points_of(gloss_points *points, const gloss_corners *co
                 m[k] += share * corners->normal[j][k];
                 ray[k] += share * corners->ray[j][k];
             }
+            points->m[i][k] = m[k];
+            points->ray[i][k] = ray[k];
         }
         points->square[i] = cosine_of(m, m);
         points->root[i] = glint_inverse_root(cosine_of(ray, ray));
