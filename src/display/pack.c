@@ -119,6 +119,13 @@ void glint_pack(const glint_target *target, int16_t x, int16_t y, const glint_sh
     }
 }
 
+/* To Q15, at most 1. */
+static uint16_t clamp_q27(uint32_t channel_q27)
+{
+    const uint32_t q15 = channel_q27 >> 12;
+    return (uint16_t)(q15 > 32768 ? 32768 : q15);
+}
+
 bool glint_pack_solid(const glint_target *target)
 {
     return is_rgb565(target) && target->dither == GLINT_DITHER_NONE;
@@ -127,6 +134,20 @@ bool glint_pack_solid(const glint_target *target)
 uint16_t glint_pack_pixel(const glint_target *target, const glint_shade *shade)
 {
     return rgb565(target->format, shade, 1 << 14);
+}
+
+void glint_pack_line(const glint_target *target, const uint32_t base_q27[3], const uint32_t step_q27[3],
+                     uint16_t *pixel, uint16_t count)
+{
+    const uint32_t half = 1 << 11, red = step_q27[0], green = step_q27[1], blue = step_q27[2];
+    uint32_t r = base_q27[0] + half, g = base_q27[1] + half, b = base_q27[2] + half;
+    for (uint16_t i = 0; i < count; i++) {
+        const glint_shade shade = {clamp_q27(r), clamp_q27(g), clamp_q27(b)};
+        pixel[i] = rgb565(target->format, &shade, 1 << 14);
+        r += red;
+        g += green;
+        b += blue;
+    }
 }
 
 uint16_t *glint_pack_at(const glint_target *target, int16_t x, int16_t y)

@@ -195,7 +195,9 @@ uint32_t glint_bound_curve(uint32_t diffuse, uint32_t turn_q16)
 uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_t specular, uint32_t turn_q16)
 {
     const uint32_t n = size->reach, view_q16 = size->view_q16;
-    if (n > 255 || size->up < 2 || view_q16 > 32768 || gloss >> 24 != 0) {
+    const uint32_t way = size->anchor_reach + 5;
+    if (n > 255 || way > 4095 || size->up < 2 || view_q16 > 32768 || gloss >> 24 != 0 || size->part_q15 > 10924 ||
+        size->inverse_q22 >> 20 != 0) {
         return UINT32_MAX;
     }
     const uint32_t square_q16 = (turn_q16 * turn_q16 >> 16) + 1;
@@ -211,13 +213,17 @@ uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_
     if (rounding >> (28 - size->down) != 0) {
         return UINT32_MAX;
     }
-    /* a unit is 2^(down - 29) / 9, below 2^(down - 28) / 16 */
-    const uint32_t gap_q28 = bent_q28 + ((rounding << size->down) >> 4) + (size->end_q28 >> 16) + 32;
-    const uint32_t of_gap = multiply_high_u32(gloss << 4, gap_q28) + 1;
-    /* 0.0625 turn^4 (1 - turn + 0.45 turn^2) + 1e-4, as Q22 */
-    const uint32_t fourth_q16 = (square_q16 * square_q16 >> 16) + 1;
-    const uint32_t lessened_q16 = 65536 - turn_q16 + (square_q16 * 29492 >> 16) + 1;
-    const uint32_t relative_q22 = (fourth_q16 * (lessened_q16 >> 2) >> 12) + 4 + 420;
+    /* a unit is 2^(down - 32) of x/m; m/x is at most 1 + 3/2 part */
+    const uint32_t unscaled_q28 = (rounding << size->down) >> 4;
+    const uint32_t rounding_q28 =
+        unscaled_q28 + multiply_high_u32(unscaled_q28 << 3, (size->part_q15 * 3 / 2) << 14) + 1;
+    /* 2^-15 (0.8 + 1.6 part) of the end */
+    const uint32_t place_q28 = multiply_high_u32(size->end_q28 << 2, 26215 + size->part_q15 * 8 / 5) + 1;
+    const uint32_t gap_q28 = bent_q28 + rounding_q28 + place_q28 + 32;
+    const uint32_t times = size->together < gloss && gap_q28 <= GLINT_GAP_OFF_Q28 ? size->together : gloss;
+    const uint32_t of_gap = multiply_high_u32(times << 4, gap_q28) + 1;
+    /* 1e-4 is 420 / 2^22 */
+    const uint32_t relative_q22 = size->inverse_q22 + ((way * way * 3) >> 9) + 1 + 420;
     return of_gap + (multiply_high_u32(specular << 8, relative_q22 << 2)) + 1;
 }
 

@@ -163,23 +163,31 @@ uint32_t glint_bound_quadratic(uint32_t gloss, uint32_t normal_q20, uint32_t vie
 #define GLINT_TURN_MOST_Q16 45000 /* 0.69 */
 uint32_t glint_bound_curve(uint32_t diffuse, uint32_t turn_q16);
 
+/* By how much a gap may be off where it counts `together` times only: 2^-11. */
+#define GLINT_GAP_OFF_Q28 ((uint32_t)1 << 17)
+
 /* What the errors of cubics depend on. */
 typedef struct glint_cubic_size {
-    uint32_t view_q16; /* the longest edge of the triangle of rays R, over the least |R| on it: their turn */
-    uint32_t reach;    /* the greatest |dx| + |dy| from the centroid to a pixel */
-    uint32_t end_q28;  /* where the table of the specular term ends */
-    int up, down;      /* of raster/lattice_fixed.h: spare bits of the gradients, and bits that the values have less */
+    uint32_t together;     /* what all the gaps at one place cost in 1/256 code a unit, if that is less than `gloss` */
+    uint32_t view_q16;     /* the longest edge of the triangle of rays R, over the least |R| on it: their turn */
+    uint32_t part_q15;     /* |M|^2 lies within 1 - part..1 + part times a constant; at most 1/3 */
+    uint32_t inverse_q22;  /* the relative error of the polynomial for 1/|M|^2 */
+    uint32_t reach;        /* the greatest |dx| + |dy| from the centroid to a pixel, */
+    uint32_t anchor_reach; /* and from the gradients' anchor */
+    uint32_t end_q28;      /* where the table of the specular term ends */
+    int up, down; /* of raster/lattice_fixed.h: spare bits of the gradients, and bits that the values have less */
 } glint_cubic_size;
 
 /*
  * A highlight's |M|^2 (1 - r.c) by a polynomial of degree 3 through ten points errs by at most |M|^2 view^2 (0.0103
- * turn^2 + 0.0136 turn view + 0.0064 view^2), 1/|M|^2 by a relative 0.0625 turn^4 (1 - turn + 0.45 turn^2) (searched
- * for like the above). Rounding adds to the former at n pixels from the centroid C(n, 3) units of 2^(down - 29) / 9 for
- * the rounding of a third difference, C(n, 2) for that of a second and n for a first, each half a unit and what its
- * products were cut by; and the table's argument is cut to 2^-16 of its end. All of it counts `gloss` times, the
- * specular peak times the exponent. The relative errors of 1/|M|^2, with 1e-4 for rounding, are of a gap g, and g
- * exponent (1 - g)^(exponent - 1) is at most 1 for exponents from 1 on, 1/2 from 2 on, which `specular` is to account
- * for. UINT32_MAX where there is no bound: coefficients may not fit where `up` is below 2.
+ * turn^2 + 0.0136 turn view + 0.0064 view^2) (searched for like the above). Rounding adds to the former at n pixels
+ * from the centroid C(n, 3) units of 2^(down - 32) (1 + 3/2 part) for the rounding of a third difference, C(n, 2) for
+ * that of a second and n for a first, each half a unit and what its products were cut by; and the table's argument is
+ * rounded to 1.5 2^-15 of its end. All of it counts `gloss` times, the specular peak times the exponent. The relative
+ * errors of 1/|M|^2, with 1e-4 and (n + 5)^2 3 2^-31 at n pixels from the anchor for rounding (see
+ * raster/lattice_fixed.h), are of a gap g, and g exponent (1 - g)^(exponent - 1) is at most 1 for exponents from 1 on,
+ * 1/2 from 2 on, which `specular` is to account for. UINT32_MAX where there is no bound: coefficients may not fit where
+ * `up` is below 2.
  */
 uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_t specular, uint32_t turn_q16);
 

@@ -105,9 +105,9 @@ static inline glint_shade light_finish(const light_sum *sum)
 }
 
 /* A share of the ramp, and a cosine in Q15, as the backend's numbers. */
-static inline real light_share(uint16_t q15)
+static inline real light_share(uint32_t q15)
 {
-    return q15;
+    return (int32_t)q15;
 }
 
 static inline int32_t cosine_q15(real cosine)

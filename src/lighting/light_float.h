@@ -79,7 +79,7 @@ static inline glint_shade light_finish(const light_sum *sum)
     return shade;
 }
 
-static inline real light_share(uint16_t q15)
+static inline real light_share(uint32_t q15)
 {
     return (float)q15 * (1.0f / 32768);
 }

@@ -415,7 +415,7 @@ static inline field_row field_run_curve_and(uint16_t *at, const uint16_t *end, c
                                             const field_value *more)
 {
     while (at != end) {
-        *at++ = pixel[field_step((int32_t)row.value + *more++)];
+        *at++ = pixel[(row.value + (uint32_t)*more++) >> 19];
         field_row_next(&row);
     }
     return row;

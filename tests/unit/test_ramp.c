@@ -4,6 +4,7 @@
  */
 #include "tests/unit/numeric.h"
 
+#include <glint/display.h>
 #include <glint/scene.h>
 
 #include "lighting/ramp.h"
@@ -263,12 +264,33 @@ static void entries_rise_and_stop_at_1(void **state)
     }
 }
 
+/* All entries at once, by additions: the same pixels. */
+static void a_line_of_pixels_is_its_entries(void **state)
+{
+    static const uint8_t formats[] = {GLINT_RGB565, GLINT_RGB565_SWAPPED};
+    (void)state;
+    for (int round = 0; round < 3000; round++) {
+        const glint_target target = {.format = formats[round & 1], .dither = GLINT_DITHER_NONE};
+        uint16_t pixel[GLINT_RAMP_ENTRIES];
+        ramp_case c;
+        random_ramp(&c, round);
+        if (!c.ramp.usable) {
+            continue;
+        }
+        glint_pack_line(&target, c.ramp.base_q27, c.ramp.step_q27, pixel, GLINT_RAMP_ENTRIES);
+        for (uint32_t index = 0; index < GLINT_RAMP_ENTRIES; index++) {
+            const glint_shade shade = glint_ramp_colour(&c.ramp, index);
+            assert_int_equal(pixel[index], glint_pack_pixel(&target, &shade));
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         numeric_test(colours_err_by_what_is_stated), numeric_test(shares_fill_the_ramp),
         numeric_test(usable_for_one_chromaticity),   numeric_test(a_black_light_changes_nothing),
-        numeric_test(entries_rise_and_stop_at_1),
+        numeric_test(entries_rise_and_stop_at_1),    numeric_test(a_line_of_pixels_is_its_entries),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
