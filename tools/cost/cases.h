@@ -36,7 +36,8 @@ extern const uint16_t cost_case_count;
 /* The case's scene: `data`, with `lights` in place of its own if there are any. */
 glint_scene cost_scene(const cost_case *c);
 
-/* Working memory that frame `c` in `format` can make use of: every vertex transformed once, every triangle sorted; with
+/* Working memory that frame `c` in `format` can make use of: every vertex transformed once, every triangle sorted; in
+ * bands, what is set up of triangles kept; with
  * a tolerance, each object's ramp of pixels. */
 size_t cost_frame_bytes(const cost_case *c, int backend, uint8_t format);
 
