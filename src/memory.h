@@ -2,7 +2,7 @@
 /*
  * What a frame keeps in the caller's memory, and how many bytes of it.
  *
- *     triangle  the state of the one drawn     always
+ *     drawing   of the frame, of one triangle  always
  *     objects   one state an object            always
  *     lights    one state an object and light  always
  *     buffers   one or two bands of pixels     always
@@ -25,7 +25,7 @@ typedef struct glint_needs {
     uint32_t buffer; /* one band of pixels */
     uint32_t stride; /* bytes from row to row (page to page) */
     uint16_t band_px, band_count;
-    uint64_t triangle, objects, lights, buffers, depth, bands, vertices;
+    uint64_t drawing, objects, lights, buffers, depth, bands, vertices;
     uint32_t triangle_count;
     uint64_t least; /* without bands and vertices */
     uint64_t full;  /* with these */
@@ -33,6 +33,6 @@ typedef struct glint_needs {
 
 /* Scene and display have passed glint_validate_sizes(). */
 void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glint_display *display,
-                        uint32_t triangle_bytes, uint32_t object_bytes, uint32_t light_bytes);
+                        uint32_t drawing_bytes, uint32_t object_bytes, uint32_t light_bytes);
 
 #endif

@@ -7,9 +7,9 @@
 
 #include <stdint.h>
 
-/* Upper bounds of what either backend keeps of the triangle being drawn, of an object, and of a light for each object.
- */
-#define GLINT_TRIANGLE_BYTES 1400
+/* Upper bounds of what either backend keeps of the frame and the triangle being drawn, of an object, and of a light for
+ * each object. */
+#define GLINT_DRAWING_BYTES 1536
 #define GLINT_OBJECT_BYTES 336
 #define GLINT_LIGHT_BYTES 80
 
@@ -19,10 +19,9 @@
 
 /*
  * With bands, this many words more for each triangle that reaches from one band into the next let what was set up of it
- * be kept: faster, the same image. It is what a triangle takes under one light, with its highlight; without it, and in
- * the exact tier, it takes some two thirds. As many triangles reach over the border of two bands as a horizontal line
- * crosses at most: about the square root of the number of triangles in a round body's mesh. memory_used_bytes of the
- * report counts what was made use of.
+ * be kept: faster, the same image. So much takes one under one light with its highlight; one without a highlight takes
+ * two thirds of it. As many reach over the border of two bands as a horizontal line crosses at most, in a round body
+ * about the square root of its triangles. memory_used_bytes of the report counts what use was made of.
  */
 #define GLINT_KEPT_WORDS 64
 
@@ -41,7 +40,7 @@
  * For example: static uint32_t memory[GLINT_MEMORY_WORDS(240, 240, 16, GLINT_RGB565_SWAPPED, 1, 512, 960, 1, 1)];
  */
 #define GLINT_MEMORY_WORDS(width_px, height_px, band_px, format, buffers, vertices, triangles, objects, lights)        \
-    (GLINT_TRIANGLE_BYTES / 4 +                                                                                        \
+    (GLINT_DRAWING_BYTES / 4 +                                                                                         \
      (uint32_t)(objects) * (GLINT_OBJECT_BYTES / 4 + (uint32_t)(lights) * (GLINT_LIGHT_BYTES / 4)) +                   \
      (uint32_t)(buffers) *                                                                                             \
          ((GLINT_ROW_BYTES(format, width_px) *                                                                         \

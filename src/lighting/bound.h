@@ -197,7 +197,7 @@ typedef struct glint_bound {
     uint32_t curve_reach; /* and of curves */
     uint32_t fixed;       /* 1/256 code: rounding and table errors of the tiers below exact */
     uint32_t exact;       /* 1/256 code: error of the exact tier, rounding of the result included */
-    uint32_t flat;        /* the same of one colour for all of it */
+    uint32_t flat;        /* the same of one colour for all of it; where above the tolerance, at least */
     uint32_t chord_q16;   /* D, rounded up */
 } glint_bound;
 

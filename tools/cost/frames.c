@@ -53,16 +53,21 @@ static size_t kept_bytes(const glint_scene *scene)
     return root * GLINT_KEPT_WORDS * sizeof(uint32_t);
 }
 
-size_t cost_frame_bytes(const cost_case *c, int backend, uint8_t format)
+size_t cost_frame_full_bytes(const cost_case *c, int backend, uint8_t format)
 {
     const glint_scene scene = cost_scene(c);
     const glint_display display = display_of(c, format);
-    const size_t ramps =
+    return backend == COST_FIXED ? glint_fixed_memory_bytes(&scene, &display) : FLOAT_MEMORY_BYTES(&scene, &display);
+}
+
+size_t cost_frame_bytes(const cost_case *c, int backend, uint8_t format)
+{
+    const glint_scene scene = cost_scene(c);
+    const size_t tables =
         c->quality.tolerance ? (size_t)scene.object_count * GLINT_RAMP_WORDS * sizeof(uint32_t) : (size_t)0;
     const size_t kept = c->band_px != 0 && c->band_px < c->height_px ? kept_bytes(&scene) : (size_t)0;
-    const size_t bytes =
-        backend == COST_FIXED ? glint_fixed_memory_bytes(&scene, &display) : FLOAT_MEMORY_BYTES(&scene, &display);
-    return bytes == 0 ? 0 : bytes + ramps + kept;
+    const size_t bytes = cost_frame_full_bytes(c, backend, format);
+    return bytes == 0 ? 0 : bytes + tables + kept;
 }
 
 size_t cost_frame_least_bytes(const cost_case *c, int backend, uint8_t format)
