@@ -248,9 +248,9 @@ static uint32_t weigh_corners(const glint_bound *bound, const int32_t inverse_de
     }
     for (int i = 0; i < 3; i++) { /* the nearest corner's stays 1 */
         if (inverse_depth[i] != high) {
-            const uint32_t u_q30 =
-                inverse_depth[i] == low ? least_q30
-                                        : multiply_high_u32((uint32_t)positive_part(inverse_depth[i]) << zeros, r);
+            const uint32_t u_q30 = inverse_depth[i] == low
+                                       ? least_q30
+                                       : multiply_high_u32((uint32_t)positive_part(inverse_depth[i]) << zeros, r);
             choice->weight_q15[i] = (uint16_t)((u_q30 + (1 << 14)) >> 15);
         }
     }
