@@ -282,7 +282,8 @@ void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3]
     /* y up to 1 - u^2 (1 - D/3), and 16 units for stored normals that are shorter than 1; D/3 rounded up */
     const uint32_t third = bound->chord_q16 < 2 * ONE_Q16 ? ((bound->chord_q16 * 21846) >> 16) + 1 : ONE_Q16;
     const uint32_t rest = third < ONE_Q16 ? ONE_Q16 - third : 0;
-    const uint32_t square = weight_q16 == ONE_Q16 ? rest : multiply_high_u32(weight_q16 * (weight_q16 >> 1) * 2, rest);
+    /* u^2 (1 - D/3), rounded down: below 2^31 / 2^15 times 2^15 */
+    const uint32_t square = weight_q16 == ONE_Q16 ? rest : (weight_q16 * (weight_q16 >> 1) >> 15) * (rest >> 1) >> 15;
     const uint32_t y_q16 = ONE_Q16 - square + 16;
     if (least <= GLINT_TIER_CURVED && greatest >= GLINT_TIER_CURVED) {
         /* edges of M up to sqrt(D + (1 - u)^2) */
