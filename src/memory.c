@@ -10,7 +10,7 @@ static uint64_t whole_words(uint64_t bytes)
 }
 
 void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glint_display *display,
-                        uint32_t object_bytes, uint32_t light_bytes)
+                        uint32_t drawing_bytes, uint32_t object_bytes, uint32_t light_bytes)
 {
     const uint16_t height = display->height_px;
     const uint16_t band = display->band_px == 0 || display->band_px > height ? height : display->band_px;
@@ -27,6 +27,7 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     needs->buffer = (uint32_t)whole_words((uint64_t)rows * needs->stride);
     needs->buffers = (uint64_t)needs->buffer * (display->buffer_count == 2 ? 2 : 1);
     needs->depth = whole_words((uint64_t)display->width_px * band * 2);
+    needs->drawing = whole_words(drawing_bytes);
     needs->objects = (uint64_t)scene->object_count * whole_words(object_bytes);
     needs->lights = (uint64_t)scene->object_count * scene->light_count * whole_words(light_bytes);
     needs->triangle_count = (uint32_t)triangle_count; /* at most 65535^2 */
@@ -34,6 +35,6 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
                        ? whole_words((triangle_count + needs->band_count) * 2)
                        : 0;
     needs->vertices = vertex_count * sizeof(glint_screen_vertex);
-    needs->least = needs->objects + needs->lights + needs->buffers + needs->depth;
+    needs->least = needs->drawing + needs->objects + needs->lights + needs->buffers + needs->depth;
     needs->full = needs->least + needs->bands + needs->vertices;
 }

@@ -2,12 +2,15 @@
 /*
  * What a frame keeps in the caller's memory, and how many bytes of it.
  *
+ *     drawing   of the frame, of one triangle  always
  *     objects   one state an object            always
  *     lights    one state an object and light  always
  *     buffers   one or two bands of pixels     always
  *     depth     16 bits a pixel of a band      always
  *     bands     2 bytes a band and a triangle  where there is room, more than one band, fewer than 65,535 triangles
  *     vertices  12 bytes a vertex              for as many objects, in order, as there is room
+ *     tables    of a material, see ramp.h      the same, with a tolerance
+ *     kept      triangles set up, see kept.inc what is left, where there are bands
  *
  * Each part begins on a multiple of 4 bytes.
  */
@@ -22,14 +25,14 @@ typedef struct glint_needs {
     uint32_t buffer; /* one band of pixels */
     uint32_t stride; /* bytes from row to row (page to page) */
     uint16_t band_px, band_count;
-    uint64_t objects, lights, buffers, depth, bands, vertices;
+    uint64_t drawing, objects, lights, buffers, depth, bands, vertices;
     uint32_t triangle_count;
     uint64_t least; /* without bands and vertices */
-    uint64_t full;
+    uint64_t full;  /* with these */
 } glint_needs;
 
 /* Scene and display have passed glint_validate_sizes(). */
 void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glint_display *display,
-                        uint32_t object_bytes, uint32_t light_bytes);
+                        uint32_t drawing_bytes, uint32_t object_bytes, uint32_t light_bytes);
 
 #endif

@@ -72,6 +72,9 @@ static inline uint32_t glint_bound_rounding(uint32_t bright, uint32_t terms)
 static inline uint32_t glint_bound_reach(uint32_t bright, uint32_t reach)
 {
     const uint32_t units = reach * reach + 64 * reach; /* of 2^-31; reach < 2^13 */
+    if (reach < 64 && bright >> 18 == 0) {
+        return 1; /* 2^1 2^18 2^13 / 2^32 rounds down to 0: spares small processors the wide product */
+    }
     return multiply_high_u32(bright << 1, units) + 1;
 }
 
@@ -82,6 +85,9 @@ static inline uint32_t glint_bound_reach(uint32_t bright, uint32_t reach)
 static inline uint32_t glint_bound_curve_reach(uint32_t bright, uint32_t reach, int up)
 {
     const uint32_t units = reach * reach + 64 * reach;
+    if (reach < 64 && up >= 3 && bright >> 18 == 0) {
+        return (((bright >> 8) + 1) * (units * 5) >> 23) + 1; /* 2^10 5 2^13, as below but for the rounding up */
+    }
     return reach > 3000 ? UINT16_MAX : multiply_high_u32(bright << 1, units * (up >= 3 ? 5 : 64)) + 1;
 }
 
@@ -109,8 +115,13 @@ uint32_t glint_bound_turned(uint32_t specular, uint16_t exponent_q4);
 
 /* The greatest angle at which specular cos^exponent is above GLINT_HIGHLIGHT_LEFT: cos a <= exp(-a^2 / 2). */
 uint32_t glint_bound_highlight_q15(uint32_t specular, uint16_t exponent_q4);
-/* An angle whose cosine is 1 - gap is at least sqrt(2 gap). */
-uint32_t glint_bound_angle_least_q15(uint32_t gap_q15);
+/* Is an angle whose cosine is 1 - gap certainly greater than one given? It is at least sqrt(2 gap); 2 at most is made
+ * use of. */
+static inline bool glint_bound_is_beyond(uint32_t gap_q15, uint32_t angle_q15)
+{
+    return angle_q15 <= 65535 && (gap_q15 > 65535 ? (uint32_t)65535 : gap_q15) << 16 > angle_q15 * angle_q15;
+}
+
 /* Twice the distance from any point of the triangle on the unit sphere to the nearest corner: with sides of at most a =
  * 2 asin(sqrt(D) / 2) <= sqrt(D) (1 + D / 20) for D <= 1, at most 0.6 a. */
 uint32_t glint_bound_spread_q15(uint32_t chord_q16);
@@ -158,7 +169,7 @@ uint32_t glint_bound_quadratic(uint32_t gloss, uint32_t normal_q20, uint32_t vie
  * and the middles of the edges. With turn = (the longest edge of the triangle of M) / (the least |M| on it), the vector
  * from the interpolated n to the true one is at most 0.0262 turn^3 + 1.2e-5 long for turns up to 0.69 (found by
  * searching over shapes, tests/unit/test_curve_bounds.c; the third derivative's part of its Taylor formula alone would
- * prove 0.1), so the sum of lights errs by that times their sum.
+ * prove 0.1), so the sum of lights errs by that times their sum, which is to be below 2^20.
  */
 #define GLINT_TURN_MOST_Q16 45000 /* 0.69 */
 uint32_t glint_bound_curve(uint32_t diffuse, uint32_t turn_q16);
@@ -203,7 +214,7 @@ typedef struct glint_bound {
     uint32_t curve_reach; /* and of curves */
     uint32_t fixed;       /* 1/256 code: rounding and table errors of the tiers below exact */
     uint32_t exact;       /* 1/256 code: error of the exact tier, rounding of the result included */
-    uint32_t flat;        /* the same of one colour for all of it */
+    uint32_t flat;        /* the same of one colour for all of it; where above the tolerance, at least */
     uint32_t chord_q16;   /* D, rounded up */
 } glint_bound;
 

@@ -118,12 +118,15 @@ static inline int32_t cosine_q15(real cosine)
 /* |a - b|^2 in Q16 of two unit vectors, rounded up, at most 4. */
 static inline uint32_t chord_q16(const real a[3], const real b[3])
 {
-    uint32_t square = 0;
-    for (int k = 0; k < 3; k++) {
-        const uint32_t d = magnitude32(a[k] - b[k]) >> 1; /* Q14 */
-        square += d * d + d;                              /* < 2^30: the half that was dropped is within d */
+    const int32_t x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+    const uint32_t beyond = (uint32_t)(x + 32768) | (uint32_t)(y + 32768) | (uint32_t)(z + 32768);
+    if (beyond >> 16 == 0) {
+        const uint32_t square_q30 = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z); /* <= 3 2^30 */
+        return (square_q30 + 16383) >> 14;
     }
-    return (square + 4095) >> 12;
+    const uint32_t u = magnitude32(x) >> 1, v = magnitude32(y) >> 1, w = magnitude32(z) >> 1; /* Q14 */
+    /* < 2^30 each: the half that was dropped of d is within d */
+    return (u * u + u + v * v + v + w * w + w + 4095) >> 12;
 }
 
 static inline bool unit(const real v[3], real out[3])

@@ -121,6 +121,13 @@ int glint_clz32(uint32_t value);
 uint32_t glint_multiply_high_u32(uint32_t a, uint32_t b);
 int32_t glint_multiply_high_s32(int32_t a, int32_t b);
 
+/* A function whose variables are to leave the stack when it returns: one whose caller goes on to call deeper. */
+#if defined __GNUC__
+#define GLINT_APART __attribute__((noinline))
+#else
+#define GLINT_APART
+#endif
+
 /* A function that is compiled anew for each constant that it is called with, unless code is to be small. */
 #if defined __GNUC__ && !defined __OPTIMIZE_SIZE__
 #define GLINT_SPECIALISED inline __attribute__((always_inline))

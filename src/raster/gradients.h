@@ -34,6 +34,17 @@ static inline int glint_gradients_spare_bits(const glint_gradients *gradients)
     return zeros < 2 ? 0 : zeros - 2;
 }
 
+/* Are there 3 of them at least? False for slivers. */
+static inline bool glint_gradients_gentle(const glint_gradients *gradients)
+{
+    if (gradients->sliver) {
+        return false;
+    }
+    const uint32_t any = magnitude32(gradients->x[0]) | magnitude32(gradients->x[1]) | magnitude32(gradients->y[0]) |
+                         magnitude32(gradients->y[1]);
+    return any >> 27 == 0;
+}
+
 /*
  * For slivers: barycentric coordinates of corners 1 and 2 at a pixel's centre, Q30, clamped so that all three are
  * 0..2^30 and their sum is 2^30. Error before clamping at most 2^-27.

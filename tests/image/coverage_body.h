@@ -106,6 +106,7 @@ static void check_frame(const glint_scene *source, uint16_t width, uint16_t heig
 static void check_scene(const glint_scene *scene, uint16_t width, uint16_t height, int backend)
 {
     frame_state state;
+    static shade_state shade;
     object_state *objects = calloc(scene->object_count, sizeof *objects);
     light_state *lights = calloc((size_t)scene->object_count * scene->light_count + 1, sizeof *lights);
     assert_non_null(objects);
@@ -116,6 +117,7 @@ static void check_scene(const glint_scene *scene, uint16_t width, uint16_t heigh
     frame_width = width;
     glint_view_set_up(&state.view, scene->camera, width, height);
     state.objects = objects;
+    state.shade = &shade;
     state.object_count = scene->object_count;
     prepare_objects(&state, scene, objects, lights, NULL, NULL, false);
     for (uint16_t i = 0; i < scene->object_count; i++) {

@@ -59,18 +59,29 @@ static void a_left_out_highlight_is_faint(void **state)
     expect_at_most("the angle taken for it, over the least", widest, 1.15L);
 }
 
-static void the_least_angle_is_one(void **state)
+/* The greatest angle that glint_bound_is_beyond() takes for less than a gap's, Q15; -1 for none. */
+static int32_t greatest_below(uint32_t gap_q15)
+{
+    int32_t below = -1;
+    for (int32_t step = 1 << 17; step > 0; step /= 2) {
+        below += glint_bound_is_beyond(gap_q15, (uint32_t)(below + step)) ? step : 0;
+    }
+    return below;
+}
+
+static void an_angle_beyond_another_is_beyond_it(void **state)
 {
     long double worst = 0, loosest = 0;
     (void)state;
     for (uint32_t gap_q15 = 0; gap_q15 <= 65536; gap_q15++) {
-        const long double angle = acosl(1 - fminl(gap_q15 / ONE_Q15, 2)),
-                          least = glint_bound_angle_least_q15(gap_q15) / ONE_Q15;
+        const long double angle = acosl(1 - fminl(gap_q15 / ONE_Q15, 2)), least = greatest_below(gap_q15) / ONE_Q15;
         worst = worse(worst, least - angle);
         loosest = worse(loosest, sqrtl(2 * fminl(gap_q15, 65535) / ONE_Q15) - least);
+        assert_false(glint_bound_is_beyond(gap_q15, GLINT_FAR_Q15));
+        assert_false(glint_bound_is_beyond(gap_q15, UINT32_MAX));
     }
-    expect_at_most("the least angle of a gap beyond the angle", worst * ONE_Q15, 0);
-    expect_at_most("the least angle below sqrt(2 gap), ulp of Q15", loosest * ONE_Q15, 5);
+    expect_at_most("an angle taken for less than a gap's, beyond that", worst * ONE_Q15, 0);
+    expect_at_most("the greatest such angle below sqrt(2 gap), ulp of Q15", loosest * ONE_Q15, 1);
 }
 
 static long double dot3(const long double a[3], const long double b[3])
@@ -415,7 +426,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         numeric_test(a_left_out_highlight_is_faint),
-        numeric_test(the_least_angle_is_one),
+        numeric_test(an_angle_beyond_another_is_beyond_it),
         numeric_test(no_point_is_farther_from_its_nearest_corner),
         numeric_test(a_normal_is_no_shorter),
         numeric_test(a_turn_changes_no_more),
