@@ -244,6 +244,17 @@ static inline int32_t multiply_high_s32_u31(int32_t a, uint32_t b)
     return multiply_high_s32(a, (int32_t)b);
 }
 
+/* a b, all 64 bits. */
+static inline int64_t multiply_wide_s32(int32_t a, int32_t b)
+{
+#if GLINT_WIDE_MULTIPLY
+    return (int64_t)a * b;
+#else
+    const uint32_t high = (uint32_t)multiply_high_s32(a, b);
+    return (int64_t)((uint64_t)high << 32 | (uint32_t)a * (uint32_t)b);
+#endif
+}
+
 /* floor(a b / 2^16) for any a and a 16-bit b, two 32-bit products:
  * |a >> 16| <= 2^15 and |b| <= 2^15, so the first is at most 2^30; the second at most 2^15 (2^16 - 1) < 2^31. */
 static inline int32_t multiply_q16(int32_t a, int32_t b_s16)

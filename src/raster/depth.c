@@ -14,41 +14,47 @@ static inline bool pass(uint16_t *pixel, uint32_t depth_q30)
     return true;
 }
 
-uint16_t *glint_depth_write(uint16_t *at, uint16_t *end, uint32_t depth_q30, uint32_t step)
+uint32_t glint_depth_write(uint16_t *at, uint32_t count, uint32_t depth_q30, uint32_t step)
 {
+    uint16_t *const first = at;
     /* four at a time: most pixels pass, and small processors spend more on the loop than on the test */
-    while (end - at >= 4) {
+    for (uint32_t fours = count >> 2; fours > 0; fours--) {
         if (!pass(&at[0], depth_q30)) {
-            return at;
+            return (uint32_t)(at - first);
         }
         depth_q30 += step;
         if (!pass(&at[1], depth_q30)) {
-            return at + 1;
+            return (uint32_t)(at - first) + 1;
         }
         depth_q30 += step;
         if (!pass(&at[2], depth_q30)) {
-            return at + 2;
+            return (uint32_t)(at - first) + 2;
         }
         depth_q30 += step;
         if (!pass(&at[3], depth_q30)) {
-            return at + 3;
+            return (uint32_t)(at - first) + 3;
         }
         depth_q30 += step;
         at += 4;
     }
-    while (at != end && pass(at, depth_q30)) {
+    for (count &= 3; count > 0; count--) {
+        if (!pass(at, depth_q30)) {
+            break;
+        }
         depth_q30 += step;
         at++;
     }
-    return at;
+    return (uint32_t)(at - first);
 }
 
-uint16_t *glint_depth_skip(uint16_t *at, uint16_t *end, uint32_t depth_q30, uint32_t step)
+uint32_t glint_depth_skip(const uint16_t *at, uint32_t count, uint32_t depth_q30, uint32_t step)
 {
-    while (at != end && depth_q30 >> GLINT_DEPTH_SHIFT <= *at) {
+    uint32_t left = count;
+    while (left > 0 && depth_q30 >> GLINT_DEPTH_SHIFT <= *at) {
         GLINT_TRACE("interpolated depth q30", depth_q30);
         depth_q30 += step;
         at++;
+        left--;
     }
-    return at;
+    return count - left;
 }

@@ -9,12 +9,12 @@
 #include "raster/plane.h"
 
 /*
- * Writes pixels of a depth row, from `at` to `end`, as long as the plane's values pass, which begin with depth_q30 at
- * `at`. Returns the first pixel that fails, or `end`.
+ * Writes the first pixels, of `count`, of a part of a depth row: as long as the plane's values pass, which begin with
+ * depth_q30. Returns how many passed.
  */
-uint16_t *glint_depth_write(uint16_t *at, uint16_t *end, uint32_t depth_q30, uint32_t step);
+uint32_t glint_depth_write(uint16_t *at, uint32_t count, uint32_t depth_q30, uint32_t step);
 
-/* The first pixel from `at` to `end` that passes, or `end`. Writes nothing. */
-uint16_t *glint_depth_skip(uint16_t *at, uint16_t *end, uint32_t depth_q30, uint32_t step);
+/* How many of the first pixels, of `count`, fail. Writes nothing. */
+uint32_t glint_depth_skip(const uint16_t *at, uint32_t count, uint32_t depth_q30, uint32_t step);
 
 #endif

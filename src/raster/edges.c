@@ -5,7 +5,7 @@ int64_t glint_signed_area_wide(const glint_point corner[3])
 {
     const int32_t ax = corner[1].x - corner[0].x, ay = corner[1].y - corner[0].y;
     const int32_t bx = corner[2].x - corner[0].x, by = corner[2].y - corner[0].y;
-    const int64_t area = (int64_t)ax * by - (int64_t)bx * ay;
+    const int64_t area = multiply_wide_s32(ax, by) - multiply_wide_s32(bx, ay);
     GLINT_TRACE("signed area q16", area);
     return area;
 }

@@ -32,7 +32,7 @@ static int64_t area_of(const int32_t dx[2], const int32_t dy[2], uint32_t any)
         const int32_t lower = dx[0] * (dy[1] & 1023) - dx[1] * (dy[0] & 1023);
         return (int64_t)upper * 1024 + lower;
     }
-    return (int64_t)dx[0] * dy[1] - (int64_t)dx[1] * dy[0];
+    return multiply_wide_s32(dx[0], dy[1]) - multiply_wide_s32(dx[1], dy[0]);
 }
 
 /* d r / 2^31 2^-down, rounded, for |d| <= 2^30 and 2^30 <= r < 2^31 in halves. */
@@ -109,14 +109,15 @@ void glint_gradients_weights(const glint_gradients *gradients, int16_t x, int16_
     for (int i = 0; i < 2; i++) {
         const glint_screen_vertex *from = opposite_from(gradients, i), *to = opposite_to(gradients, i);
         const int64_t inside =
-            (int64_t)(to->x - from->x) * (centre_y - from->y) - (int64_t)(to->y - from->y) * (centre_x - from->x);
+            multiply_wide_s32(to->x - from->x, centre_y - from->y) -
+            multiply_wide_s32(to->y - from->y, centre_x - from->x);
         int32_t weight = 0;
         if (inside >= area) {
             weight = rest;
         } else if (inside > 0) {
             /* inside / area = (inside 2^-down) r / 2^62 */
             const uint32_t part = (uint32_t)(down > 0 ? inside >> down : inside << -down);
-            weight = (int32_t)(((uint64_t)part * r) >> 32);
+            weight = (int32_t)multiply_high_u32(part, r);
             GLINT_TRACE("sliver weight q30", weight);
             weight = weight > rest ? rest : weight;
         }
