@@ -17,8 +17,16 @@ static inline bool pass(uint16_t *pixel, uint32_t depth_q30)
 uint32_t glint_depth_write(uint16_t *at, uint32_t count, uint32_t depth_q30, uint32_t step)
 {
     uint16_t *const first = at;
-    /* four at a time: most pixels pass, and small processors spend more on the loop than on the test */
-    for (uint32_t fours = count >> 2; fours > 0; fours--) {
+    const uint16_t *const end = at + count, *const fours = at + (count & 3);
+    /* Most pixels pass. What makes the rest a number of fours comes first, then four at a time: small processors spend
+     * more on the loop than on the test. */
+    for (; at != fours; at++) {
+        if (!pass(at, depth_q30)) {
+            return (uint32_t)(at - first);
+        }
+        depth_q30 += step;
+    }
+    while (at != end) {
         if (!pass(&at[0], depth_q30)) {
             return (uint32_t)(at - first);
         }
@@ -37,14 +45,7 @@ uint32_t glint_depth_write(uint16_t *at, uint32_t count, uint32_t depth_q30, uin
         depth_q30 += step;
         at += 4;
     }
-    for (count &= 3; count > 0; count--) {
-        if (!pass(at, depth_q30)) {
-            break;
-        }
-        depth_q30 += step;
-        at++;
-    }
-    return (uint32_t)(at - first);
+    return count;
 }
 
 uint32_t glint_depth_skip(const uint16_t *at, uint32_t count, uint32_t depth_q30, uint32_t step)

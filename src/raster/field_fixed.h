@@ -356,12 +356,28 @@ static inline void field_run_second(uint16_t *at, const uint16_t *end, const uin
     } while (at != end);
 }
 
-/* Along a curve of degree 2, which is not negative on the row. */
-static inline void field_run_curve(uint16_t *at, const uint16_t *end, const uint16_t *pixel, field_row row)
+/* Along a curve of degree 2, which is not negative on the row. First what makes the rest a number of fours: nothing is
+ * left to be carried on behind the loop then. */
+static inline void field_run_curve(uint16_t *at, uint32_t count, const uint16_t *pixel, field_row row)
 {
+    const uint16_t *const end = at + count;
     const uint32_t bend = row.bend;
     uint32_t value = row.value, slope = row.step;
-    while (end - at >= 4) {
+    if (count & 1) {
+        *at++ = pixel[value >> 19];
+        value += slope;
+        slope += bend;
+    }
+    if (count & 2) {
+        at[0] = pixel[value >> 19];
+        value += slope;
+        slope += bend;
+        at[1] = pixel[value >> 19];
+        value += slope;
+        slope += bend;
+        at += 2;
+    }
+    while (at != end) {
         at[0] = pixel[value >> 19];
         value += slope;
         slope += bend;
@@ -375,11 +391,6 @@ static inline void field_run_curve(uint16_t *at, const uint16_t *end, const uint
         value += slope;
         slope += bend;
         at += 4;
-    }
-    while (at != end) {
-        *at++ = pixel[value >> 19];
-        value += slope;
-        slope += bend;
     }
 }
 

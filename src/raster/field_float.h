@@ -220,8 +220,9 @@ static inline void field_run_first(uint16_t *at, const uint16_t *end, const uint
     } while (at != end);
 }
 
-static inline void field_run_curve(uint16_t *at, const uint16_t *end, const uint16_t *pixel, field_row row)
+static inline void field_run_curve(uint16_t *at, uint32_t count, const uint16_t *pixel, field_row row)
 {
+    const uint16_t *const end = at + count;
     do {
         *at++ = pixel[field_step(row.value)];
         row.value += row.step;
