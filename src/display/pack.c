@@ -129,6 +129,35 @@ uint16_t glint_pack_pixel(const glint_target *target, const glint_shade *shade)
     return rgb565(target->format, shade, 1 << 14);
 }
 
+/* Adds one channel of colours in equal steps: level floor(colour greatest + 1/2) 2^shift. */
+static void add_channel(uint16_t *pixel, uint16_t count, uint32_t colour_q27, uint32_t step_q27, uint32_t greatest,
+                        int shift)
+{
+    const uint16_t *const end = pixel + count;
+    colour_q27 += 1 << 11; /* rounds to Q15 */
+    while (pixel != end) {
+        const uint32_t q15 = colour_q27 >> 12;
+        const uint32_t at_most_1 = q15 > 32768 ? 32768 : q15;
+        *pixel = (uint16_t)(*pixel + ((at_most_1 * greatest + (1 << 14)) >> 15 << shift));
+        pixel++;
+        colour_q27 += step_q27;
+    }
+}
+
+void glint_pack_steps(const glint_target *target, const uint32_t colour_q27[3], const uint32_t step_q27[3],
+                      uint16_t *pixel, uint16_t count)
+{
+    memset(pixel, 0, count * sizeof *pixel);
+    add_channel(pixel, count, colour_q27[0], step_q27[0], 31, 11);
+    add_channel(pixel, count, colour_q27[1], step_q27[1], 63, 5);
+    add_channel(pixel, count, colour_q27[2], step_q27[2], 31, 0);
+    if (target->format == GLINT_RGB565_SWAPPED) {
+        for (uint16_t i = 0; i < count; i++) {
+            pixel[i] = (uint16_t)((uint16_t)(pixel[i] << 8) | pixel[i] >> 8);
+        }
+    }
+}
+
 uint16_t *glint_pack_at(const glint_target *target, int16_t x, int16_t y)
 {
     return (uint16_t *)(void *)row_of(target, y) + x;

@@ -39,17 +39,14 @@ int16_t glint_last_pixel(int32_t subpixels, uint16_t size_px)
     return clamp_pixel(((subpixels >> 1) - GLINT_SUBPIXEL / 4) >> (GLINT_SUBPIXEL_BITS - 1), -1, (int32_t)size_px - 1);
 }
 
-glint_box glint_bounding_box(const glint_point corner[3], uint16_t width_px, uint16_t height_px)
+void glint_bounding_box(glint_box *box, const glint_point corner[3], uint16_t width_px, uint16_t height_px)
 {
     const glint_point *a = &corner[0], *b = &corner[1], *c = &corner[2];
     /* beyond the display: first = size or last = -1, which makes the box empty */
-    const glint_box box = {
-        .x_first = clamp_pixel(first_pixel(least(a->x, b->x, c->x)), 0, width_px),
-        .x_last = glint_last_pixel(greatest(a->x, b->x, c->x), width_px),
-        .y_first = clamp_pixel(first_pixel(least(a->y, b->y, c->y)), 0, height_px),
-        .y_last = (int16_t)(clamp_pixel(first_pixel(greatest(a->y, b->y, c->y)), 0, height_px) - 1),
-    };
-    return box;
+    box->x_first = clamp_pixel(first_pixel(least(a->x, b->x, c->x)), 0, width_px);
+    box->x_last = glint_last_pixel(greatest(a->x, b->x, c->x), width_px);
+    box->y_first = clamp_pixel(first_pixel(least(a->y, b->y, c->y)), 0, height_px);
+    box->y_last = (int16_t)(clamp_pixel(first_pixel(greatest(a->y, b->y, c->y)), 0, height_px) - 1);
 }
 
 /* Upper and lower of a side's edges on the left, lower and upper on the right, by the set of them, 4 for edge 0, 2 for

@@ -80,7 +80,7 @@ static inline int64_t glint_signed_area(const glint_point corner[3])
 }
 
 /* Pixels whose centres lie in the corners' bounding box, within width x height. */
-glint_box glint_bounding_box(const glint_point corner[3], uint16_t width_px, uint16_t height_px);
+void glint_bounding_box(glint_box *box, const glint_point corner[3], uint16_t width_px, uint16_t height_px);
 
 /* Last row or column whose pixels' centres are at or before a coordinate: -1..size_px - 1. */
 int16_t glint_last_pixel(int32_t subpixels, uint16_t size_px);

@@ -66,6 +66,8 @@ void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_verte
     gradients->anchor_y = (int16_t)(a->y >> GLINT_FINE_BITS);
     gradients->offset_x = gradients->offset_y = 0;
     if (gradients->area <= 0) {
+        gradients->inverse_q31 = glint_reciprocal_q31((uint32_t)1 << 31);
+        gradients->inverse_down = -31;
         return;
     }
     /* area = upper 2^(area_bits-32) with a leading one */
@@ -79,6 +81,8 @@ void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_verte
      * GLINT_DEPTH_BIAS (2^20), half of which is left for rounding: range < 2^(26 - excess). No range has 31 bits.
      */
     if (excess > 0 || (excess > -5 && depth_range(gradients) >> (26 - excess) != 0)) {
+        gradients->inverse_q31 = glint_reciprocal_q31(upper);
+        gradients->inverse_down = area_bits - 32;
         return;
     }
     gradients->sliver = false;
@@ -103,14 +107,13 @@ void glint_gradients_weights(const glint_gradients *gradients, int16_t x, int16_
 {
     const int32_t centre_x = x * GLINT_FINE + GLINT_FINE / 2, centre_y = y * GLINT_FINE + GLINT_FINE / 2;
     const int64_t area = gradients->area > 0 ? gradients->area : 1;
-    const int down = bit_length64((uint64_t)area) - 32;
-    const uint32_t r = glint_reciprocal_q31((uint32_t)(down > 0 ? area >> down : area << -down));
+    const int down = gradients->inverse_down;
+    const uint32_t r = gradients->inverse_q31;
     int32_t rest = (int32_t)1 << 30;
     for (int i = 0; i < 2; i++) {
         const glint_screen_vertex *from = opposite_from(gradients, i), *to = opposite_to(gradients, i);
-        const int64_t inside =
-            multiply_wide_s32(to->x - from->x, centre_y - from->y) -
-            multiply_wide_s32(to->y - from->y, centre_x - from->x);
+        const int64_t inside = multiply_wide_s32(to->x - from->x, centre_y - from->y) -
+                               multiply_wide_s32(to->y - from->y, centre_x - from->x);
         int32_t weight = 0;
         if (inside >= area) {
             weight = rest;
