@@ -173,20 +173,16 @@ void glint_pack_fill(const glint_target *target, int16_t x, int16_t y, const gli
 
 void glint_fill_words(uint32_t *to, uint32_t word, uint32_t count)
 {
-    uint32_t *const end = to + count;
-    while (end - to >= 8) {
-        to[0] = word;
-        to[1] = word;
-        to[2] = word;
-        to[3] = word;
-        to[4] = word;
-        to[5] = word;
-        to[6] = word;
-        to[7] = word;
-        to += 8;
+    const uint32_t *const end = to + count;
+    for (; count & 15; count--) {
+        *to++ = word;
     }
     while (to != end) {
-        *to++ = word;
+        to[0] = to[1] = to[2] = to[3] = word;
+        to[4] = to[5] = to[6] = to[7] = word;
+        to[8] = to[9] = to[10] = to[11] = word;
+        to[12] = to[13] = to[14] = to[15] = word;
+        to += 16;
     }
 }
 
@@ -199,6 +195,10 @@ void glint_pack_clear(const glint_target *target, uint16_t width, uint16_t rows,
     const uint16_t first = width < 8 ? width : 8;
     if (glint_pack_solid(target) && (target->stride_bytes & 3) == 0) {
         const uint32_t pixel = glint_pack_pixel(target, shade);
+        if (target->stride_bytes == bytes) { /* nothing between rows */
+            glint_fill_words((uint32_t *)(void *)target->pixels, pixel << 16 | pixel, (uint32_t)bytes / 4 * rows);
+            return;
+        }
         for (uint16_t y = 0; y < rows; y++) {
             uint8_t *row = target->pixels + (size_t)y * (size_t)target->stride_bytes;
             glint_fill_words((uint32_t *)(void *)row, pixel << 16 | pixel, (uint32_t)width / 2);
