@@ -123,7 +123,9 @@ static void expect_runs(uint16_t *row, uint32_t depth, uint32_t step, int16_t x,
     /* by turns a run that passes, maybe empty, and one that does not */
     for (bool passes = true; at != end; passes = !passes) {
         const uint32_t here = depth + (uint32_t)(at - row - x) * step;
-        uint16_t *const stop = passes ? glint_depth_write(at, end, here, step) : glint_depth_skip(at, end, here, step);
+        const uint32_t left = (uint32_t)(end - at);
+        uint16_t *const stop =
+            at + (passes ? glint_depth_write(at, left, here, step) : glint_depth_skip(at, left, here, step));
         assert_true(stop >= at && stop <= end);
         assert_true(passes || stop > at);
         for (; at != stop; at++) {
