@@ -10,8 +10,8 @@
  * f, f what is left, 0..255 in x and y, E >= 0 holds just when E' = dx n - dy m + floor((dx f_y - dy f_x + bias) / 256)
  * >= 0, bias = 0 on left and top edges, -1 elsewhere, since the first two terms of E / 256 are whole. |E'| <= 2 area /
  * 256 <= 256 L^2, L the side in px of the bounding box of triangle and sample points: below 2^31 for L < 2896. The
- * guard band keeps L at or below 2 GLINT_GUARD_PX = 2880. The products wrap modulo 2^32 on the way, which the final
- * range makes good.
+ * guard band keeps L at or below 2 GLINT_GUARD_PX + 1 = 2881, with a pixel beside the box. The products wrap modulo
+ * 2^32 on the way, which the final range makes good.
  */
 #ifndef GLINT_RASTER_EDGES_H
 #define GLINT_RASTER_EDGES_H
@@ -21,9 +21,8 @@
 
 #include "geometry/view.h"
 
-typedef char
-    glint_assert_edge_range[(uint64_t)(2 * GLINT_GUARD_PX) * (2 * GLINT_GUARD_PX) * GLINT_SUBPIXEL < 0x80000000u ? 1
-                                                                                                                 : -1];
+typedef char glint_assert_edge_range
+    [(uint64_t)(2 * GLINT_GUARD_PX + 1) * (2 * GLINT_GUARD_PX + 1) * GLINT_SUBPIXEL < 0x80000000u ? 1 : -1];
 
 /* A projected vertex. */
 typedef struct glint_screen_vertex {
