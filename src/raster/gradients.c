@@ -73,6 +73,8 @@ void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_verte
     /* area = upper 2^(area_bits-32) with a leading one */
     int area_bits;
     const uint32_t upper = normalize64((uint64_t)gradients->area, &area_bits);
+    gradients->inverse_q31 = glint_reciprocal_q31(upper);
+    gradients->inverse_down = area_bits - 32;
     const int bits = 32 - clz32(any); /* of the longest side, <= 24 */
     /* |gradient| < 2^excess per pixel */
     const int excess = bits + GLINT_FINE_BITS - area_bits + 1;
@@ -81,8 +83,6 @@ void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_verte
      * GLINT_DEPTH_BIAS (2^20), half of which is left for rounding: range < 2^(26 - excess). No range has 31 bits.
      */
     if (excess > 0 || (excess > -5 && depth_range(gradients) >> (26 - excess) != 0)) {
-        gradients->inverse_q31 = glint_reciprocal_q31(upper);
-        gradients->inverse_down = area_bits - 32;
         return;
     }
     gradients->sliver = false;
@@ -90,7 +90,7 @@ void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_verte
     gradients->offset_y = (int16_t)(GLINT_FINE / 2 - (a->y & (GLINT_FINE - 1)));
     /* 1/area = r 2^(-30-area_bits), r < 2^31; the bits of the area that `upper` drops are a relative 2^-31 of it, half
      * a unit of a gradient at most */
-    const int32_t r = (int32_t)glint_reciprocal_q31(upper), r_low = low_half(r);
+    const int32_t r = (int32_t)gradients->inverse_q31, r_low = low_half(r);
     const int32_t r_high = (int32_t)(((uint32_t)r + 0x8000u) >> 16); /* 2^15 at most */
     /* a side, brought to 30 bits, times r: d r 2^(30 - bits - 31); d / area per 1/4096 px, in Q30 per px, is that times
      * 2^-down */
