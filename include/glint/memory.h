@@ -40,7 +40,7 @@
  * For example: static uint32_t memory[GLINT_MEMORY_WORDS(240, 240, 16, GLINT_RGB565_SWAPPED, 1, 512, 960, 1, 1)];
  */
 #define GLINT_MEMORY_WORDS(width_px, height_px, band_px, format, buffers, vertices, triangles, objects, lights)        \
-    (GLINT_DRAWING_BYTES 1664/ 4 +                                                                                         \
+    (GLINT_DRAWING_BYTES / 4 +                                                                                         \
      (uint32_t)(objects) * (GLINT_OBJECT_BYTES / 4 + (uint32_t)(lights) * (GLINT_LIGHT_BYTES / 4)) +                   \
      (uint32_t)(buffers) *                                                                                             \
          ((GLINT_ROW_BYTES(format, width_px) *                                                                         \

@@ -60,13 +60,13 @@ static void check_object(frame_state *state, const object_state *object)
     for (uint16_t t = 0; t < object->mesh->triangle_count; t++) {
         triangle_corners corners;
         corner polygon[CLIP_MOST];
-        enum triangle_fate fate;
+        triangle_extent extent;
         real attribute[3][3] = {{0}};
-        if (do_triangle(state, object, t, false).fate != TRIANGLE_DRAWN) {
+        if (do_triangle(state, object, t, false, &extent) != TRIANGLE_DRAWN) {
             continue;
         }
         triangle_fetch(state, object, t, &corners);
-        if (!needs_clipping(corners.screen, &fate)) {
+        if (!extent.clipped) {
             check_triangle(state, object, corners.screen);
             continue;
         }
