@@ -42,6 +42,7 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     needs->buffer = (uint32_t)whole_words((uint64_t)rows * needs->stride);
     needs->buffers = (uint64_t)needs->buffer * (display->buffer_count == 2 ? 2 : 1);
     needs->depth = whole_words((uint64_t)display->width_px * band * 2);
+    needs->drawing = whole_words(bytes->drawing);
     needs->objects = (uint64_t)scene->object_count * whole_words(bytes->object);
     needs->light_count = needs->reach_count = 0;
     for (uint16_t i = 0; i < scene->light_count; i++) {
@@ -57,6 +58,7 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
                        ? whole_words((triangle_count + needs->band_count) * 2)
                        : 0;
     needs->vertices = vertex_count * sizeof(glint_screen_vertex);
-    needs->least = needs->objects + needs->lights + needs->reaches + needs->mirrors + needs->buffers + needs->depth;
+    needs->least = needs->drawing + needs->objects + needs->lights + needs->reaches + needs->mirrors + needs->buffers +
+                   needs->depth;
     needs->full = needs->least + needs->bands + needs->vertices;
 }
