@@ -50,7 +50,7 @@ void selftest_counts(void);
 void selftest_draw_counted(bool in_float);
 
 /* selftest_scenes.c */
-extern const glint_scene selftest_room;
+extern const glint_scene selftest_room, selftest_mirror;
 
 /* The pictures whose pixels are printed, for check.c to compare with the reference. */
 typedef struct selftest_picture {
@@ -60,7 +60,7 @@ typedef struct selftest_picture {
     uint8_t shading;
 } selftest_picture;
 
-enum { SELFTEST_PICTURES = 4 };
+enum { SELFTEST_PICTURES = 5 };
 extern const selftest_picture selftest_pictures[SELFTEST_PICTURES];
 
 #endif

@@ -53,9 +53,44 @@ const glint_scene selftest_room = {
     .background = COLOUR(100, 140, 200),
 };
 
+/* A mirror under a map of few colours, lit by a ball whose light falls off. */
+static const GLINT_FLASH uint16_t texels[8 * 8] = {
+    0x39c7, 0x39c7, 0x4208, 0x528a, 0x528a, 0x4208, 0x39c7, 0x39c7, 0x39c7, 0x528a, 0x7bcf, 0x8c71, 0x8c71,
+    0x7bcf, 0x528a, 0x39c7, 0x4208, 0x7bcf, 0xa5b4, 0x8d17, 0x8d17, 0xa5b4, 0x7bcf, 0x4208, 0x528a, 0x8c71,
+    0x8d17, 0x5c9a, 0x5c9a, 0x8d17, 0x8c71, 0x528a, 0x528a, 0x8c71, 0x8d17, 0x5c9a, 0x5c9a, 0x8d17, 0x8c71,
+    0x528a, 0x4208, 0x7bcf, 0xa5b4, 0x8d17, 0x8d17, 0xa5b4, 0x7bcf, 0x4208, 0x39c7, 0x528a, 0x7bcf, 0x8c71,
+    0x8c71, 0x7bcf, 0x528a, 0x39c7, 0x39c7, 0x39c7, 0x4208, 0x528a, 0x528a, 0x4208, 0x39c7, 0x39c7};
+static const glint_environment around = {.texels = texels, .side = 8, .steepest = 60};
+static const glint_material steel = {.diffuse = COLOUR(300, 300, 320),
+                                     .specular = COLOUR(200, 200, 200),
+                                     .exponent_q4 = 10 * 16,
+                                     .mirror = COLOUR(600, 620, 650)};
+static const glint_object mirrors[] = {
+    {&glint_mesh_sphere_10x6, &steel, PLACE_SCALED(900, 1200, 800, 300, 700, 200)},
+    {&glint_mesh_box, &brick, PLACE_TURNED(4, 3, 5, 550, -1200, 550, -300)},
+};
+static const glint_light ball = {.kind = GLINT_BALL,
+                                 .position_q16 = POINT(-1500, 3000, 3000),
+                                 .radius_q16 = MILLI_Q16(300),
+                                 .colour = COLOUR(1200, 1100, 900),
+                                 .attenuation = {.k_q14 = {0, 0, 16384}, .unit_q16 = MILLI_Q16(4000)},
+                                 .samples = 5};
+
+const glint_scene selftest_mirror = {
+    .camera = &camera,
+    .objects = mirrors,
+    .lights = &ball,
+    .object_count = LENGTH_OF(mirrors),
+    .light_count = 1,
+    .ambient = COLOUR(130, 130, 150),
+    .background = COLOUR(100, 140, 200),
+    .environment = &around,
+};
+
 const selftest_picture selftest_pictures[SELFTEST_PICTURES] = {
     {"sphere-exact", &demo_sphere_10x6, 48, 32, 0, GLINT_SHADING_EXACT},
     {"room-exact", &selftest_room, 48, 32, 16, GLINT_SHADING_EXACT},
+    {"mirror-exact", &selftest_mirror, 48, 32, 16, GLINT_SHADING_EXACT},
     {"room-gouraud", &selftest_room, 48, 32, 7, GLINT_SHADING_GOURAUD},
     {"room-flat", &selftest_room, 48, 32, 1, GLINT_SHADING_FLAT},
 };
