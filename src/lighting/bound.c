@@ -357,7 +357,7 @@ void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3]
         if (tier >= least &&
             (tolerance == 0 || error <= (uint32_t)tolerance * (GLINT_CODE_UNITS / 16) || tier == greatest)) {
             choice->tier = tier;
-            choice->promise = error > UINT16_MAX ? UINT16_MAX : (uint16_t)error;
+            choice->promise = (uint16_t)(error > GLINT_PROMISE_ALL ? GLINT_PROMISE_ALL : error);
             return;
         }
     }

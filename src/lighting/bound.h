@@ -24,6 +24,9 @@
 /* Errors and peaks are in 1/256 code. */
 #define GLINT_CODE_UNITS 256
 
+/* No pixel is off by more: codes and L are within 0..255 and 0..1. */
+#define GLINT_PROMISE_ALL ((uint32_t)255 * GLINT_CODE_UNITS)
+
 /* The polynomial c0 + c1 y + c2 y^2, y = 1 - x, and its relative error. */
 typedef struct glint_curve {
     uint16_t c_q15[3];
