@@ -6,7 +6,8 @@
  * Why a sealed group must cover: moving each corner by up to e moves no point of the group's outline by more than e.
  * If the pixel's centre is further than that from the outline, the outline never sweeps over it, and the number of
  * times that the group winds around it stays the same; a triangle turned away winds the other way. Where that number is
- * above 0, some triangle of the group that faces the eye covers the pixel.
+ * above 0, some triangle of the group that faces the eye covers the pixel; where both sides are drawn, it does so for
+ * any number but 0.
  */
 #include <string.h>
 
@@ -103,16 +104,16 @@ static void find_groups(const reference_detail *d, contender *c, int count)
         }
     }
     for (int a = 0; a < count; a++) {
-        bool open = false;
+        bool open = false, both_sides = d->surfaces[d->triangles[c[a].triangle].object].sides != GLINT_FRONT_SIDE;
         int winding = 0;
         for (int b = 0; b < count; b++) {
             if (c[b].group == c[a].group) {
                 const triangle *t = &d->triangles[c[b].triangle];
                 open = open || unsealed(t, c[b].near_edges);
-                winding += !c[b].inside ? 0 : t->front ? 1 : -1;
+                winding += !c[b].inside ? 0 : t->away ? -1 : 1;
             }
         }
-        c[a].must = winding > 0 && !open;
+        c[a].must = (both_sides ? winding != 0 : winding > 0) && !open;
     }
 }
 

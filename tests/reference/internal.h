@@ -110,6 +110,7 @@ typedef struct triangle {
     vector plane;     /* Z = height / (plane . d) on the ray of direction d */
     double height;
     bool front;                 /* is drawn: turns its outside to the eye, or both sides count */
+    bool away;                  /* turns its inside to the eye */
     bool thin;                  /* rounding the corners could turn it around */
     bool sealed[NEAR_EDGE + 1]; /* a neighbour that can be drawn lies beyond the edge */
     int corner_count;           /* of the polygon in front of the near plane; 0 or 3..POLYGON_MAX */

@@ -218,13 +218,13 @@ static void load_triangle(const reference_detail *d, triangle *t, const glint_me
     }
     /* The outward normal (of a mirrored triangle: the other way) points against the ray to the triangle. */
     t->front = height * place->handedness < 0.0 && length(t->face) > 0.0;
-    bool away = !t->front;
+    t->away = !t->front;
     int sides = d->surfaces[t->object].sides;
     t->front = t->front || (sides != GLINT_FRONT_SIDE && height != 0.0 && length(t->face) > 0.0);
-    for (int i = 0; i < 3 && away && sides == GLINT_TWO_SIDED; i++) {
+    for (int i = 0; i < 3 && t->away && sides == GLINT_TWO_SIDED; i++) {
         t->normal[i] = times(-1.0, t->normal[i]);
     }
-    if (away && sides == GLINT_TWO_SIDED) {
+    if (t->away && sides == GLINT_TWO_SIDED) {
         t->face = times(-1.0, t->face);
     }
     cut_at_near(d, t, p);
