@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What becomes of a shaded pixel: the side of the surface that is seen.
+ * What becomes of a shaded pixel: the side of the surface that is seen; fog.
  */
 #include <examples/scenes/parts.h>
 
@@ -55,4 +55,52 @@ const glint_scene demo_bowls = {
     .light_count = LENGTH_OF(bowl_lights),
     .ambient = COLOUR(220, 220, 230),
     .background = COLOUR(90, 100, 120),
+};
+
+/* --------------------------------------------------------------------------------------------------------------- fog */
+
+static const glint_camera avenue_camera = {
+    .eye_q16 = POINT(0, 1700, 9000),
+    .target_q16 = POINT(0, 1000, 0),
+    .field_of_view_turn16 = DEGREES_TURN16(45),
+    .near_q16 = MILLI_Q16(2000),
+};
+
+static const glint_material road = {.ambient = COLOUR(300, 290, 280), .diffuse = COLOUR(450, 430, 400)};
+static const glint_material stone = {.ambient = COLOUR(600, 560, 500), .diffuse = COLOUR(650, 600, 520)};
+static const glint_material ball = {
+    .ambient = COLOUR(700, 150, 120),
+    .diffuse = COLOUR(700, 150, 120),
+    .specular = COLOUR(500, 500, 500),
+    .exponent_q4 = 40 * 16,
+};
+
+/* Pillars on both sides of a road, each with a ball on top. */
+#define PILLARS(z)                                                                                                     \
+    {&glint_mesh_box, &stone, PLACE_SCALED(300, 1000, 300, -2200, 1000, z)},                                           \
+        {&glint_mesh_box, &stone, PLACE_SCALED(300, 1000, 300, 2200, 1000, z)},                                        \
+        {&glint_mesh_sphere_24x12, &ball, PLACE_SCALED(450, 450, 450, -2200, 2450, z)},                                \
+        {&glint_mesh_sphere_24x12, &ball, PLACE_SCALED(450, 450, 450, 2200, 2450, z)}
+
+static const glint_object avenue_objects[] = {
+    {&glint_mesh_plane, &road, PLACE_SCALED(6000, 1000, 18000, 0, 0, -12000)},
+    PILLARS(3000),
+    PILLARS(-1000),
+    PILLARS(-5000),
+    PILLARS(-10000),
+    PILLARS(-20000),
+};
+
+static const glint_light avenue_sun = {
+    .kind = GLINT_DIRECTIONAL, .direction = {6, -8, -5}, .colour = COLOUR(850, 830, 780)};
+
+const glint_scene demo_avenue = {
+    .camera = &avenue_camera,
+    .objects = avenue_objects,
+    .object_count = LENGTH_OF(avenue_objects),
+    .lights = &avenue_sun,
+    .light_count = 1,
+    .ambient = COLOUR(300, 310, 330),
+    .background = COLOUR(640, 680, 740),
+    .fog = {.colour = COLOUR(640, 680, 740), .begin_q16 = MILLI_Q16(7000), .end_q16 = MILLI_Q16(25000)},
 };

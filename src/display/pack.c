@@ -104,6 +104,11 @@ static uint8_t *row_of(const glint_target *target, int16_t y)
     return target->pixels + (size_t)row * (size_t)target->stride_bytes;
 }
 
+static glint_shade *shades_at(const glint_target *target, int16_t x)
+{
+    return (glint_shade *)(void *)target->pixels + (x - target->x_first);
+}
+
 void glint_pack(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade, uint16_t count)
 {
     uint8_t *row = row_of(target, y);
@@ -112,6 +117,10 @@ void glint_pack(const glint_target *target, int16_t x, int16_t y, const glint_sh
         for (uint16_t i = 0; i < count; i++) {
             pixel[i] = rgb565(target->format, &shade[i], 1 << 14);
         }
+        return;
+    }
+    if (target->format == GLINT_SHADES) {
+        memcpy(shades_at(target, x), shade, count * sizeof *shade);
         return;
     }
     for (uint16_t i = 0; i < count; i++) {
@@ -137,7 +146,10 @@ uint16_t *glint_pack_at(const glint_target *target, int16_t x, int16_t y)
 void glint_pack_fill(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade, uint16_t count)
 {
     uint8_t *row = row_of(target, y);
-    for (uint16_t i = 0; i < count; i++) {
+    for (uint16_t i = 0; target->format == GLINT_SHADES && i < count; i++) {
+        shades_at(target, x)[i] = *shade;
+    }
+    for (uint16_t i = 0; target->format != GLINT_SHADES && i < count; i++) {
         pack_pixel(target, row, (int16_t)(x + (int16_t)i), y, shade);
     }
 }

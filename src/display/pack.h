@@ -24,7 +24,12 @@ typedef struct glint_target {
     uint32_t stride_bytes;
     int16_t y_first; /* display row of the band's first row */
     uint8_t format, dither;
+    int16_t x_first; /* for GLINT_SHADES: the pixel that `pixels` begins with */
 } glint_target;
+
+/* A format of its own: colours as they are, a glint_shade each, of one row, on their way to what is done to them before
+ * they are packed. */
+#define GLINT_SHADES 255
 
 /* Writes `count` pixels from (x, y) to the right; y is a display row within the band. */
 void glint_pack(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade, uint16_t count);
