@@ -42,7 +42,10 @@ void glint_fog_set_up(glint_fog_state *fog, const glint_fog *from, const glint_v
         fog->clear_q30 = clear == UINT32_MAX ? clear : clear + 1;
     }
     const glint_scaled inverse = glint_scaled_inverse(glint_scaled_from(end_q16, 16));
-    fog->whole_q30 = whole_of(glint_scaled_times(near_span, (uint32_t)inverse.m, inverse.f));
+    const uint32_t whole = whole_of(glint_scaled_times(near_span, (uint32_t)inverse.m, inverse.f));
+    fog->whole_q30 = whole >> 31 != 0 ? INT32_MAX : whole; /* d is below 2^31 */
+    /* a fog so shallow that rounding closes it */
+    fog->clear_q30 = fog->clear_q30 > fog->whole_q30 ? fog->clear_q30 : fog->whole_q30 + 1;
     const glint_scaled steepest = glint_scaled_times(per_depth, end_q16, 12);
     fog->steepest_q4 = whole_of(steepest) + 1; /* at most 2^27 */
 }
