@@ -27,7 +27,10 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     uint64_t triangle_count = 0;
     for (uint16_t i = 0; i < scene->object_count; i++) {
         vertex_count += scene->objects[i].mesh->vertex_count;
-        triangle_count += scene->objects[i].mesh->triangle_count;
+        /* a see-through object of two sides is gone through twice */
+        const glint_material *material = scene->objects[i].material;
+        const bool twice = material != NULL && material->transmission_q14 != 0 && material->sides != GLINT_FRONT_SIDE;
+        triangle_count += (uint32_t)scene->objects[i].mesh->triangle_count * (twice ? 2u : 1u);
     }
     needs->stride = display->stride_bytes ? display->stride_bytes : glint_row_bytes(display->format, display->width_px);
     needs->band_px = band;

@@ -69,7 +69,13 @@ static int check_material(const glint_material *material)
     if (material->sides > GLINT_TWO_SIDED) {
         return GLINT_ERROR_SIDES;
     }
-    return in_range(&material->emission, ONE_Q14) ? GLINT_OK : GLINT_ERROR_EMISSION;
+    if (!in_range(&material->emission, ONE_Q14)) {
+        return GLINT_ERROR_EMISSION;
+    }
+    if (material->transmission_q14 > ONE_Q14) {
+        return GLINT_ERROR_TRANSMISSION;
+    }
+    return in_range(&material->grazing, ONE_Q14) ? GLINT_OK : GLINT_ERROR_GRAZING;
 }
 
 static bool distance_in_range(uint32_t distance_q16)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What becomes of a shaded pixel: the side of the surface that is seen; fog.
+ * What becomes of a shaded pixel: the side of the surface that is seen; fog; what shows through.
  */
 #include <examples/scenes/parts.h>
 
@@ -103,4 +103,104 @@ const glint_scene demo_avenue = {
     .ambient = COLOUR(300, 310, 330),
     .background = COLOUR(640, 680, 740),
     .fog = {.colour = COLOUR(640, 680, 740), .begin_q16 = MILLI_Q16(7000), .end_q16 = MILLI_Q16(25000)},
+};
+
+/* ------------------------------------------------------------------------------------------------------ transmission */
+
+static const glint_camera table_camera = {
+    .eye_q16 = POINT(0, 2600, 7500),
+    .target_q16 = POINT(0, 850, 0),
+    .field_of_view_turn16 = DEGREES_TURN16(36),
+    .near_q16 = MILLI_Q16(3500),
+};
+
+#define PAINT(r, g, b)                                                                                                 \
+    {                                                                                                                  \
+        .ambient = COLOUR(r, g, b), .diffuse = COLOUR(r, g, b)                                                         \
+    }
+static const glint_material white_tile = PAINT(800, 790, 760), dark_tile = PAINT(180, 190, 220);
+static const glint_material red_paint = PAINT(750, 180, 140), yellow_paint = PAINT(800, 680, 180);
+
+/* Clear glass that mirrors a pale sky at its rim; and a green one, alike at every angle. */
+static const glint_material clear_glass = {
+    .ambient = COLOUR(150, 170, 180),
+    .diffuse = COLOUR(150, 170, 180),
+    .specular = COLOUR(900, 900, 900),
+    .exponent_q4 = 120 * 16,
+    .sides = GLINT_TWO_SIDED,
+    .transmission_q14 = Q14(920, 1000),
+    .grazing = COLOUR(700, 750, 800),
+};
+static const glint_material green_glass = {
+    .ambient = COLOUR(100, 600, 250),
+    .diffuse = COLOUR(100, 600, 250),
+    .specular = COLOUR(700, 700, 700),
+    .exponent_q4 = 60 * 16,
+    .sides = GLINT_EACH_SIDE,
+    .transmission_q14 = Q14(600, 1000),
+};
+
+#define TILE(material, x, z)                                                                                           \
+    {                                                                                                                  \
+        &glint_mesh_plane, &(material), PLACE_SCALED(500, 1000, 500, x, 0, z)                                          \
+    }
+#define TILES(z, a, b)                                                                                                 \
+    TILE(a, -2500, z), TILE(b, -1500, z), TILE(a, -500, z), TILE(b, 500, z), TILE(a, 1500, z), TILE(b, 2500, z)
+
+static const glint_object glass_objects[] = {
+    {&glint_mesh_sphere_24x12, &clear_glass, PLACE_SCALED(950, 950, 950, -900, 960, 700)},
+    TILES(-2500, white_tile, dark_tile),
+    TILES(-1500, dark_tile, white_tile),
+    TILES(-500, white_tile, dark_tile),
+    TILES(500, dark_tile, white_tile),
+    TILES(1500, white_tile, dark_tile),
+    {&glint_mesh_sphere_24x12, &red_paint, PLACE_SCALED(450, 450, 450, -1500, 451, -1400)},
+    {&glint_mesh_box, &green_glass, PLACE_TURNED(4, 3, 5, 650, 1250, 651, -100)},
+    {&glint_mesh_sphere_24x12, &yellow_paint, PLACE_SCALED(400, 400, 400, 1300, 401, -1900)},
+};
+
+static const glint_light glass_lights[] = {
+    {.kind = GLINT_DIRECTIONAL, .direction = {5, -8, -6}, .colour = COLOUR(700, 690, 660)},
+    {.kind = GLINT_POINT, .position_q16 = POINT(3000, 4500, 2500), .colour = COLOUR(250, 250, 270)},
+};
+
+const glint_scene demo_glass = {
+    .camera = &table_camera,
+    .objects = glass_objects,
+    .object_count = LENGTH_OF(glass_objects),
+    .lights = glass_lights,
+    .light_count = LENGTH_OF(glass_lights),
+    .ambient = COLOUR(280, 280, 300),
+    .background = COLOUR(450, 550, 680),
+};
+
+/* A sheet of water over a floor, clear from above and like the sky from aside; what stands in it. */
+static const glint_material water = {
+    .ambient = COLOUR(60, 200, 220),
+    .diffuse = COLOUR(60, 200, 220),
+    .specular = COLOUR(600, 600, 600),
+    .exponent_q4 = 90 * 16,
+    .transmission_q14 = Q14(750, 1000),
+    .grazing = COLOUR(560, 680, 820),
+};
+
+static const glint_object pond_objects[] = {
+    {&glint_mesh_plane, &water, PLACE_SCALED(3000, 1000, 2500, 0, 350, -250)},
+    TILES(-2500, white_tile, dark_tile),
+    TILES(-1500, dark_tile, white_tile),
+    TILES(-500, white_tile, dark_tile),
+    TILES(500, dark_tile, white_tile),
+    TILES(1500, white_tile, dark_tile),
+    {&glint_mesh_torus_knot, &red_paint, PLACE_TURNED(24, 7, 25, 550, -1100, 600, -300)},
+    {&glint_mesh_box, &yellow_paint, PLACE_TURNED(15, 8, 17, 400, 1300, 400, 300)},
+};
+
+const glint_scene demo_pond = {
+    .camera = &table_camera,
+    .objects = pond_objects,
+    .object_count = LENGTH_OF(pond_objects),
+    .lights = glass_lights,
+    .light_count = LENGTH_OF(glass_lights),
+    .ambient = COLOUR(280, 280, 300),
+    .background = COLOUR(560, 680, 820),
 };

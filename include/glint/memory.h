@@ -28,7 +28,7 @@
 /*
  * uint32_t words that let each vertex be transformed once a frame and each triangle be sorted into bands, for
  *   width_px, height_px, band_px, format, buffers   of the display (rows without gap)
- *   vertices, triangles   sums over all objects
+ *   vertices, triangles   sums over all objects; triangles of a see-through object of which both sides are drawn twice
  *   objects, lights       of the scene
  * For example: static uint32_t memory[GLINT_MEMORY_WORDS(240, 240, 16, GLINT_RGB565_SWAPPED, 1, 512, 960, 1, 1)];
  */

@@ -41,7 +41,8 @@ typedef struct glint_bounds {
 typedef struct glint_object_plan {
     uint8_t ambient, sky, ground, emission; /* glint_reason of each term that no light is needed for */
     uint8_t fog;                            /* glint_reason: is fog mixed in at the object's pixels? */
-    bool needs_bounds;                      /* some light may be too far away, or there may be fog */
+    uint8_t transmission, grazing;          /* glint_reason: does light come through, less at grazing angles? */
+    bool needs_bounds;                      /* some light may be too far away, there may be fog, or light comes through */
     glint_bounds bounds;                    /* only where needs_bounds */
 } glint_object_plan;
 

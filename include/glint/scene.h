@@ -23,6 +23,12 @@
  *     L = e + r_a I_a(n) + sum_j I_j a_j(d_j) b_j(s_j) [ ... ]                 emission, hemisphere, attenuation, spot
  *     displayed: (1 - f) L + f F                                               fog
  *
+ * and of a surface that lets light through, by glint_material.transmission t and .grazing G:
+ *
+ *     L = (1 - t) (e + r_a I_a + diffuse terms) + specular terms, clamped,    phi = (1 - |n.c|)^5, 0 where G is black,
+ *     t' = t (1 - phi),
+ *     displayed: min(1, (1 - f) (L + t phi G) + f (1 - t') F + t' behind)      transmission
+ *
  * e          emission of the surface, glint_material.emission
  * I_a(n)     ambient light: scene.ambient everywhere, and scene.sky and scene.ground by the normal,
  *            I_a + sky (1 + n.u) / 2 + ground (1 - n.u) / 2, u the world's up: secondary light from a bright sky
@@ -31,6 +37,19 @@
  * a_j(d)     attenuation with the distance d from a point or spot light, see glint_light
  * b_j(s)     the cone of a spot light, see glint_light
  * f          fog by the depth Z along the view direction, see glint_fog
+ * behind     what is displayed there without the surface: its own fog is in it, so f takes no part of it
+ *
+ * What shines through takes the place of the light that the body of the surface scatters, not of the light that its face
+ * mirrors: glass loses its colour with t, but not its highlights. At a grazing angle it mirrors all of the light, by
+ * Schlick's approximation of Fresnel's equations with nothing mirrored straight on (C. Schlick, "An inexpensive BRDF
+ * model for physically-based rendering", Computer Graphics Forum 13(3), 1994); G stands for the surroundings seen there.
+ * In Gouraud and flat shading n is the face's there; c is that of the pixel in every shading.
+ *
+ * Surfaces that let light through are drawn after the others, from far to near by objects: by |C - eye|^2 - R^2, where
+ * the sphere about C of radius R holds the object. Of an object whose both sides are drawn, the insides come before the
+ * outsides. So the order is right for objects that such spheres keep apart, each convex and closed; or convex
+ * everywhere and seen on one side. Where surfaces of one object, or objects that reach into each other, cover each other
+ * the other way, they are mixed in the order of the objects and triangles. They do not hide each other.
  */
 #ifndef GLINT_SCENE_H
 #define GLINT_SCENE_H
@@ -81,6 +100,8 @@ typedef struct glint_material {
     uint8_t specular_model; /* GLINT_PHONG (default) or GLINT_BLINN */
     uint8_t sides;          /* GLINT_FRONT_SIDE (default) ... */
     glint_colour emission;  /* e: light that the surface sends out whatever falls on it, 0..1 */
+    uint16_t transmission_q14; /* t: how much of the light behind shows through, 0 (opaque)..1 (16384) */
+    glint_colour grazing;      /* G: what it mirrors instead at grazing angles, 0..1; black: nothing, t' = t */
 } glint_material;
 
 /*

@@ -44,6 +44,11 @@ bool glint_pack_solid(const glint_target *target);
 uint16_t glint_pack_pixel(const glint_target *target, const glint_shade *shade);
 uint16_t *glint_pack_at(const glint_target *target, int16_t x, int16_t y);
 
+/* The row (page) that holds display row y, and one pixel with a threshold of the caller's: for layers. */
+uint8_t *glint_pack_row(const glint_target *target, int16_t y);
+void glint_pack_thresholded(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade,
+                            uint32_t threshold_q15);
+
 /* Fills `rows` whole rows of `width` pixels with one colour. */
 void glint_pack_clear(const glint_target *target, uint16_t width, uint16_t rows, const glint_shade *shade);
 

@@ -173,7 +173,10 @@ void glint_plan_object(const glint_scene *scene, uint16_t object, glint_object_p
     plan->ground = (uint8_t)reason_of(&material->ambient, &scene->ground);
     plan->emission = (uint8_t)(is_black(&material->emission) ? GLINT_REFLECTANCE_ZERO : GLINT_NEEDED);
     const bool has_fog = (scene->fog.begin_q16 | scene->fog.end_q16) != 0;
-    plan->needs_bounds = has_fog;
+    const bool lets_through = material->transmission_q14 != 0;
+    plan->transmission = (uint8_t)(lets_through ? GLINT_NEEDED : GLINT_REFLECTANCE_ZERO);
+    plan->grazing = (uint8_t)(lets_through && !is_black(&material->grazing) ? GLINT_NEEDED : GLINT_REFLECTANCE_ZERO);
+    plan->needs_bounds = has_fog || lets_through;
     for (uint16_t i = 0; i < scene->light_count; i++) {
         plan->needs_bounds = plan->needs_bounds || has_reach(&scene->lights[i]);
     }

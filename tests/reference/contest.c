@@ -13,15 +13,23 @@
 
 #include "internal.h"
 
+static bool is_opaque(const reference_detail *d, const meeting *m)
+{
+    return d->surfaces[d->triangles[m->triangle].object].transmission == 0.0;
+}
+
 static int gather(reference_detail *d, int x, int y)
 {
     int32_t first = d->first[(size_t)y * (size_t)d->width + (size_t)x];
     int count = 0, k;
     for (int32_t m = first; m >= 0; m = d->meetings[m].next) {
-        count++;
+        count += is_opaque(d, &d->meetings[m]);
     }
     k = count;
     for (int32_t m = first; m >= 0; m = d->meetings[m].next) {
+        if (!is_opaque(d, &d->meetings[m])) {
+            continue;
+        }
         contender *c = &d->contenders[--k];
         memset(c, 0, sizeof *c);
         c->triangle = d->meetings[m].triangle;
@@ -94,7 +102,7 @@ static bool unsealed(const triangle *t, uint8_t near_edges)
 }
 
 /* Groups the contenders and finds the groups that must cover the pixel. */
-static void find_groups(const reference_detail *d, contender *c, int count)
+void contest_groups(const reference_detail *d, contender *c, int count)
 {
     for (int a = 0; a < count; a++) {
         for (int b = a + 1; b < count && c[a].near_edges; b++) {
@@ -117,7 +125,7 @@ static void find_groups(const reference_detail *d, contender *c, int count)
     }
 }
 
-static void depth_range(const reference_detail *d, contender *c, double x, double y)
+void contest_depths(const reference_detail *d, contender *c, double x, double y)
 {
     const triangle *t = &d->triangles[c->triangle];
     corner region[MEET_REGION_MAX + 1];
@@ -146,12 +154,15 @@ int contest(reference_detail *d, int x, int y, int *front, uint8_t *mask, bool *
     }
     if (count == 1 && c[0].near_edges == 0) {
         c[0].candidate = c[0].must = true;
+        if (d->has_layers) {
+            contest_depths(d, &c[0], cx, cy);
+        }
         return 1;
     }
 
-    find_groups(d, c, count);
+    contest_groups(d, c, count);
     for (int k = 0; k < count; k++) {
-        depth_range(d, &c[k], cx, cy);
+        contest_depths(d, &c[k], cx, cy);
     }
     /* A group's far end is its farthest depth; the nearest group decides. */
     for (int k = 0; k < count; k++) {

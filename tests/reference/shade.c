@@ -200,14 +200,37 @@ static void unfogged(const reference_detail *d, const triangle *t, const corner 
     shade_point(d, f, point, normal, lights, count, on, rgb);
 }
 
-void shade_corner(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
-                  double rgb[3])
+/* What is mirrored at the pixel instead of let through: (1 - |n.c|)^5. */
+static double mirrored(const reference_detail *d, const triangle *t, const corner *where)
 {
+    vector point, normal;
+    exact_point(t, where, &point, &normal);
+    normal = d->shading == GLINT_SHADING_EXACT ? normal : t->face;
+    double facing = length(normal) > 0.0 ? fabs(dot(normal, unit(minus(d->eye, point)))) : 1.0;
+    return pow(clamp01(1.0 - facing), 5.0);
+}
+
+void shade_layer(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
+                 double rgb[3], double *through)
+{
+    const surface *f = &d->surfaces[t->object];
     unfogged(d, t, where, anchor, variant, rgb);
+    double grazing = f->grazes ? f->transmission * mirrored(d, t, where) : 0.0;
+    *through = f->transmission - grazing;
+    for (int k = 0; k < 3; k++) {
+        rgb[k] = clamp01(rgb[k] + grazing * f->grazing[k]);
+    }
     if (d->fog_end > d->fog_begin) {
         double fog = clamp01((1.0 / where->inverse_z - d->fog_begin) / (d->fog_end - d->fog_begin));
         for (int k = 0; k < 3; k++) {
-            rgb[k] = (1.0 - fog) * rgb[k] + fog * d->fog[k];
+            rgb[k] = (1.0 - fog) * rgb[k] + fog * (1.0 - *through) * d->fog[k];
         }
     }
+}
+
+void shade_corner(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
+                  double rgb[3])
+{
+    double through;
+    shade_layer(d, t, where, anchor, variant, rgb, &through);
 }

@@ -59,6 +59,17 @@ static void load_surface(surface *out, const glint_material *in, const glint_sce
     from_colour(in->emission, out->emission);
     out->sides = in->sides;
     from_colour(in->diffuse, out->diffuse);
+    out->transmission = in->transmission_q14 / Q14;
+    from_colour(in->grazing, out->grazing);
+    out->grazes = in->grazing.r_q14 != 0 || in->grazing.g_q14 != 0 || in->grazing.b_q14 != 0;
+    for (int k = 0; k < 3; k++) {
+        double body = 1.0 - out->transmission;
+        out->ambient[k] *= body;
+        out->sky[k] *= body;
+        out->ground[k] *= body;
+        out->diffuse[k] *= body;
+        out->emission[k] *= body;
+    }
     from_colour(in->specular, out->specular);
     out->exponent = in->exponent_q4 / 16.0;
     out->blinn = in->specular_model == GLINT_BLINN;
@@ -301,6 +312,7 @@ int view_load(reference_detail *d, const glint_scene *scene, char *error, size_t
     d->surface_count = scene->object_count;
     for (int i = 0; i < d->surface_count; i++) {
         load_surface(&d->surfaces[i], scene->objects[i].material, scene);
+        d->has_layers = d->has_layers || d->surfaces[i].transmission > 0.0;
         if (load_object(d, i, &scene->objects[i], error, error_bytes)) {
             return -1;
         }

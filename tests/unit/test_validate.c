@@ -198,6 +198,10 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(light_kind_3, w->b.light[0].kind = GLINT_SPOT + 1, GLINT_ERROR_LIGHT_KIND)                                       \
     X(emission_high, w->b.material.emission.g_q14 = 16385, GLINT_ERROR_EMISSION)                                       \
     X(emission_low, w->b.material.emission.r_q14 = -1, GLINT_ERROR_EMISSION)                                           \
+    X(transmission_above_one, w->b.material.transmission_q14 = 16385, GLINT_ERROR_TRANSMISSION)                        \
+    X(transmission_most, w->b.material.transmission_q14 = 65535, GLINT_ERROR_TRANSMISSION)                             \
+    X(grazing_high, w->b.material.grazing.b_q14 = 16385, GLINT_ERROR_GRAZING)                                          \
+    X(grazing_low, w->b.material.grazing.g_q14 = -1, GLINT_ERROR_GRAZING)                                              \
     X(sides_3, w->b.material.sides = GLINT_TWO_SIDED + 1, GLINT_ERROR_SIDES)                                           \
     X(spot_direction_0, (set_spot(w, 0, 16384), w->b.light[1].direction[2] = 0), GLINT_ERROR_LIGHT_DIRECTION)          \
     X(spot_position_high, (set_spot(w, 0, 16384), w->b.light[1].position_q16[1] = (1 << 30) + 1),                      \
