@@ -142,7 +142,7 @@ static const glint_material green_glass = {
 
 #define TILE(material, x, z)                                                                                           \
     {                                                                                                                  \
-        &glint_mesh_plane, &(material), PLACE_SCALED(500, 1000, 500, x, 0, z)                                          \
+        &glint_mesh_box, &(material), PLACE_SCALED(500, 100, 500, x, -100, z)                                           \
     }
 #define TILES(z, a, b)                                                                                                 \
     TILE(a, -2500, z), TILE(b, -1500, z), TILE(a, -500, z), TILE(b, 500, z), TILE(a, 1500, z), TILE(b, 2500, z)
