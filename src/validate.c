@@ -75,7 +75,11 @@ static int check_material(const glint_material *material)
     if (material->transmission_q14 > ONE_Q14) {
         return GLINT_ERROR_TRANSMISSION;
     }
-    return in_range(&material->grazing, ONE_Q14) ? GLINT_OK : GLINT_ERROR_GRAZING;
+    if (!in_range(&material->grazing, ONE_Q14)) {
+        return GLINT_ERROR_GRAZING;
+    }
+    return material->wire_width_q4 <= GLINT_MAX_WIRE_Q4 && in_range(&material->wire, ONE_Q14) ? GLINT_OK
+                                                                                              : GLINT_ERROR_WIRE;
 }
 
 static bool distance_in_range(uint32_t distance_q16)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What becomes of a shaded pixel: the side of the surface that is seen; fog; what shows through.
+ * What becomes of a shaded pixel: the side of the surface that is seen; fog; what shows through; the
+ * edges of its mesh.
  */
 #include <examples/scenes/parts.h>
 
@@ -203,4 +204,34 @@ const glint_scene demo_pond = {
     .light_count = LENGTH_OF(glass_lights),
     .ambient = COLOUR(280, 280, 300),
     .background = COLOUR(560, 680, 820),
+};
+
+/* -------------------------------------------------------------------------------------------------------------- wire */
+
+static const glint_camera mesh_camera = {
+    .eye_q16 = POINT(0, 6200, 11500),
+    .target_q16 = POINT(150, 1450, 0),
+    .field_of_view_turn16 = DEGREES_TURN16(32),
+    .near_q16 = MILLI_Q16(6000),
+};
+
+static const glint_material meshed = {
+    .ambient = COLOUR(700, 560, 350),
+    .diffuse = COLOUR(700, 560, 350),
+    .specular = COLOUR(400, 400, 400),
+    .exponent_q4 = 30 * 16,
+    .wire = COLOUR(60, 80, 160),
+    .wire_width_q4 = 20,
+};
+
+static const glint_object mesh_objects[] = {{&glint_mesh_teapot_small, &meshed, PLACE_AT(0, 0, 0)}};
+
+const glint_scene demo_mesh = {
+    .camera = &mesh_camera,
+    .objects = mesh_objects,
+    .object_count = LENGTH_OF(mesh_objects),
+    .lights = bowl_lights,
+    .light_count = LENGTH_OF(bowl_lights),
+    .ambient = COLOUR(220, 220, 230),
+    .background = COLOUR(230, 235, 245),
 };

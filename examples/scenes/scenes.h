@@ -63,8 +63,8 @@ extern const glint_scene demo_point_light;
 /* sources.c: spot lights and attenuated ones, sky and ground, surfaces that emit light */
 extern const glint_scene demo_spots, demo_open_sky, demo_lanterns;
 
-/* blend.c: surfaces seen from both sides; fog; surfaces that let light through */
-extern const glint_scene demo_bowls, demo_avenue, demo_glass, demo_pond;
+/* blend.c: surfaces seen from both sides; fog; surfaces that let light through; a mesh's edges */
+extern const glint_scene demo_bowls, demo_avenue, demo_glass, demo_pond, demo_mesh;
 
 /* gallery_ratio.c: a row of spheres, ambient to diffuse ratio growing to the right */
 extern const glint_scene demo_ambient_ratio;

@@ -22,6 +22,7 @@ const demo_scene demo_scenes[] = {
     {"avenue", "Pillars along a road that ends in the fog", &demo_avenue, 320, 240},
     {"glass", "A glass ball and a block of green glass on tiles", &demo_glass, 320, 240},
     {"pond", "Things that stand in shallow water", &demo_pond, 320, 240},
+    {"mesh", "The teapot with the edges of its mesh", &demo_mesh, 320, 240},
     {"ambient-ratio", "Ambient to diffuse ratio growing to the right", &demo_ambient_ratio, 320, 80},
     {"specular-grid", "Specular share growing downwards, exponent to the right", &demo_specular_grid, 320, 240},
     {"ambient-only", "A still life in ambient light", &demo_ambient_only, 320, 240},

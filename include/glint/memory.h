@@ -8,7 +8,7 @@
 #include <stdint.h>
 
 /* Upper bounds of what either backend keeps of an object, and of a light for each object. */
-#define GLINT_OBJECT_BYTES 400
+#define GLINT_OBJECT_BYTES 432
 #define GLINT_LIGHT_BYTES 88
 
 /* And of a spot light or an attenuated one for each object, beside that. */

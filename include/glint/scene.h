@@ -50,6 +50,10 @@
  * outsides. So the order is right for objects that such spheres keep apart, each convex and closed; or convex
  * everywhere and seen on one side. Where surfaces of one object, or objects that reach into each other, cover each other
  * the other way, they are mixed in the order of the objects and triangles. They do not hide each other.
+ *
+ * Where a material has a wire, L is its colour at each pixel of a triangle whose centre is nearer than half the width to
+ * the line through one of the triangle's edges on the screen, and nothing passes there (t' = 0). It is not lit; fog does
+ * apply. Each triangle draws its half of a line, so the outline of an object has half the width.
  */
 #ifndef GLINT_SCENE_H
 #define GLINT_SCENE_H
@@ -91,6 +95,9 @@ enum {
     GLINT_TWO_SIDED = 2   /* both; where the inside is seen, the normal is taken the other way round */
 };
 
+/* 256 px */
+#define GLINT_MAX_WIRE_Q4 4096
+
 /* What a surface does with light. Reflectances are 0..1 (16384) in each channel. */
 typedef struct glint_material {
     glint_colour ambient;   /* r_a */
@@ -102,6 +109,8 @@ typedef struct glint_material {
     glint_colour emission;  /* e: light that the surface sends out whatever falls on it, 0..1 */
     uint16_t transmission_q14; /* t: how much of the light behind shows through, 0 (opaque)..1 (16384) */
     glint_colour grazing;      /* G: what it mirrors instead at grazing angles, 0..1; black: nothing, t' = t */
+    glint_colour wire;         /* colour of the mesh's edges, see above; 0..1 */
+    uint16_t wire_width_q4;    /* how wide they are, 1/16 px: 0 (none)..GLINT_MAX_WIRE_Q4 */
 } glint_material;
 
 /*

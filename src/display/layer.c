@@ -9,7 +9,7 @@
 #include "number/tables.h"
 
 /* level / greatest in Q15, rounded to nearest, for greatest = 15, 31, 63, 255: 2^15 / greatest as a multiple of
- * 2^-down that is too great by less than 2^-9 of a step of the result. */
+ * 2^-down. Error at most 0.503 ulp. */
 static uint16_t level_q15(uint32_t level, uint32_t factor, int down)
 {
     return (uint16_t)((level * factor + ((uint32_t)1 << (down - 1))) >> down);
@@ -22,12 +22,12 @@ static uint16_t from_u8(uint8_t level)
 
 static uint16_t from_u6(uint32_t level)
 {
-    return level_q15(level, 133153, 8); /* 520.129 */
+    return level_q15(level, 1065220, 11); /* 520.127 */
 }
 
 static uint16_t from_u5(uint32_t level)
 {
-    return level_q15(level, 270600, 8); /* 1057.031 */
+    return level_q15(level, 4329604, 12); /* 1057.032 */
 }
 
 static glint_shade grey(uint16_t q15)
@@ -56,7 +56,7 @@ glint_shade glint_unpack(const glint_target *target, int16_t x, int16_t y)
     case GLINT_GREY8:
         return grey(from_u8(row[x]));
     case GLINT_GREY4:
-        return grey(level_q15(x & 1 ? row[x >> 1] & 15u : row[x >> 1] >> 4, 559241, 8)); /* 2184.535 */
+        return grey(level_q15(x & 1 ? row[x >> 1] & 15u : row[x >> 1] >> 4, 8947849, 12)); /* 2184.533 */
     default:                                                                            /* GLINT_MONO_PAGES */
         return grey((uint16_t)(row[x] >> (y & 7) & 1 ? 32768 : 0));
     }
@@ -68,11 +68,8 @@ static uint32_t layer_threshold_q15(const glint_target *target, int16_t x, int16
         return 1 << 14;
     }
     const uint32_t rank = flash_u8(&glint_bayer_rank[(y & 7) * 8 + (x & 7)]);
-    uint32_t reversed = 0;
-    for (int bit = 0; bit < 6; bit++) {
-        reversed = reversed << 1 | (rank >> bit & 1);
-    }
-    return reversed * 512 + 256;
+    const uint32_t exchanged = (rank & 12) << 2 | rank >> 4 << 2 | (rank & 3);
+    return exchanged * 512 + 256;
 }
 
 static uint16_t over(uint16_t own, uint16_t behind, uint32_t through_q15)

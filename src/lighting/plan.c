@@ -176,6 +176,7 @@ void glint_plan_object(const glint_scene *scene, uint16_t object, glint_object_p
     const bool lets_through = material->transmission_q14 != 0;
     plan->transmission = (uint8_t)(lets_through ? GLINT_NEEDED : GLINT_REFLECTANCE_ZERO);
     plan->grazing = (uint8_t)(lets_through && !is_black(&material->grazing) ? GLINT_NEEDED : GLINT_REFLECTANCE_ZERO);
+    plan->wire = (uint8_t)(material->wire_width_q4 != 0 ? GLINT_NEEDED : GLINT_REFLECTANCE_ZERO);
     plan->needs_bounds = has_fog || lets_through;
     for (uint16_t i = 0; i < scene->light_count; i++) {
         plan->needs_bounds = plan->needs_bounds || has_reach(&scene->lights[i]);

@@ -254,6 +254,12 @@ static void add_effects(world *w, double distance)
         }
         w->materials[i].sides = (uint8_t)(one_in(w, 2) ? GLINT_FRONT_SIDE : 1 + one_in(w, 2));
     }
+    /* one object at most, of convex shape, so that there is one order only */
+    const glint_mesh *const mesh = w->objects[0].mesh;
+    if (one_in(w, 2) && mesh != &glint_mesh_torus_knot && mesh != &glint_mesh_teapot_small && mesh != &w->shards) {
+        w->materials[0].transmission_q14 = (uint16_t)between(w, 1, 16384);
+        w->materials[0].grazing = one_in(w, 2) ? colour(w, 0.9, one_in(w, 2)) : w->materials[0].grazing;
+    }
     if (one_in(w, 2)) {
         glint_fog *fog = &w->scene.fog;
         fog->colour = colour(w, 0.999, one_in(w, 2));

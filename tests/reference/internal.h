@@ -78,6 +78,7 @@ typedef struct surface {
     int sides;
     double transmission, grazing[3]; /* the first is in ambient .. emission already */
     bool grazes;
+    double wire_width, wire[3]; /* px; 0: none */
 } surface;
 
 typedef struct lamp {
@@ -228,9 +229,13 @@ void shade_triangle(const reference_detail *d, triangle *t);
 /* The colour of a triangle at a point of its screen polygon. variant: see shade_variants(); -1: the model's own. */
 void shade_corner(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
                   double rgb[3]);
-/* The same of a surface that lets light through: its own light, and how much passes of what is behind. */
+/* Is a place on the screen on the triangle's wire, or so near to its border that rounding may decide? */
+typedef enum wire_state { WIRE_OFF = 0, WIRE_ON = 1, WIRE_DOUBTFUL = 2 } wire_state;
+wire_state shade_wire(const reference_detail *d, const triangle *t, double x, double y);
+/* The same with the wire there or not, of a surface that may let light through: its own light, and how much passes of
+ * what is behind. */
 void shade_layer(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
-                 double rgb[3], double *through);
+                 bool wire, double rgb[3], double *through);
 /* In how many ways specular terms may be there or not: 1 where no terminator is near. */
 int shade_variants(const reference_detail *d, const triangle *t, const corner *anchor);
 

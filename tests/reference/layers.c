@@ -114,9 +114,11 @@ bool layers_show(const reference_detail *d, const layer *list, int count, double
     for (int k = 0; k < count; k++) {
         const triangle *t = &d->triangles[list[k].surface.triangle];
         double own[3], through;
-        doubt = doubt || list[k].doubtful || list[k].either_way || shade_variants(d, t, &list[k].hit) > 1;
+        wire_state wire = shade_wire(d, t, list[k].hit.x, list[k].hit.y);
+        doubt = doubt || list[k].doubtful || list[k].either_way || wire == WIRE_DOUBTFUL ||
+                shade_variants(d, t, &list[k].hit) > 1;
         if (list[k].there) {
-            shade_layer(d, t, &list[k].hit, &list[k].hit, -1, own, &through);
+            shade_layer(d, t, &list[k].hit, &list[k].hit, -1, wire == WIRE_ON, own, &through);
             lay_over(rgb, own, through);
             *rounding = (*rounding + 0.5) * through;
         }
@@ -131,12 +133,14 @@ static void widen_by(const reference_detail *d, const layer *l, double x, double
     const reference_candidate before = *range;
     corner region[MEET_REGION_MAX + 1];
     int points = meet_region(d, t, x, y, region), variants = shade_variants(d, t, &l->hit);
+    wire_state wire = shade_wire(d, t, l->hit.x, l->hit.y);
     bool first = !l->doubtful;
     region[points++] = l->hit;
-    for (int v = 0; v < variants; v++) {
-        for (int p = 0; p < points; p++) {
+    for (int v = 0; v < variants * 2; v++) {
+        bool on = v >= variants;
+        for (int p = 0; p < points && (wire == WIRE_DOUBTFUL || on == (wire == WIRE_ON)); p++) {
             double own[3], through, low[3], high[3];
-            shade_layer(d, t, &region[p], &l->hit, variants > 1 ? v : -1, own, &through);
+            shade_layer(d, t, &region[p], &l->hit, variants > 1 ? v % variants : -1, on, own, &through);
             memcpy(low, before.low, sizeof low);
             memcpy(high, before.high, sizeof high);
             lay_over(low, own, through);

@@ -59,6 +59,9 @@ static void draw_opaque(reference_image *image, int x, int y, size_t at, int fro
     image->triangle[at] = c->triangle;
     image->depth[at] = 1.0 / hit.inverse_z;
     shade_corner(d, t, &hit, &hit, -1, &image->rgb[at * 3]);
+    if (shade_wire(d, t, hit.x, hit.y) == WIRE_DOUBTFUL) {
+        image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_EDGE);
+    }
     if (shade_variants(d, t, &hit) > 1) {
         image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_TERMINATOR);
     }
@@ -157,7 +160,7 @@ static void widen(reference_candidate *c, const double rgb[3])
     }
 }
 
-/* All variants of one triangle at a pixel. */
+/* All variants of one triangle at a pixel, with its wire and without it where that is doubtful. */
 static int triangle_candidates(const reference_detail *d, const contender *c, int x, int y, reference_candidate *out,
                                int count, int max)
 {
@@ -165,16 +168,22 @@ static int triangle_candidates(const reference_detail *d, const contender *c, in
     corner region[MEET_REGION_MAX + 1], anchor = seen_at(d, c, x + 0.5, y + 0.5);
     int points = meet_region(d, t, x + 0.5, y + 0.5, region), variants = shade_variants(d, t, &anchor);
     region[points++] = anchor;
-    for (int v = 0; v < variants; v++, count++) {
+    wire_state wire = shade_wire(d, t, anchor.x, anchor.y);
+    for (int v = 0; v < variants * 2; v++) {
+        bool on = v >= variants;
+        if (wire != WIRE_DOUBTFUL && on != (wire == WIRE_ON)) {
+            continue;
+        }
         reference_candidate one = {c->triangle, {HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
         for (int k = 0; k < points; k++) {
-            double rgb[3];
-            shade_corner(d, t, &region[k], &anchor, variants > 1 ? v : -1, rgb);
+            double rgb[3], through;
+            shade_layer(d, t, &region[k], &anchor, variants > 1 ? v % variants : -1, on, rgb, &through);
             widen(&one, rgb);
         }
         if (count < max) {
             out[count] = one;
         }
+        count++;
     }
     return count;
 }

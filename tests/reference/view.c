@@ -61,6 +61,8 @@ static void load_surface(surface *out, const glint_material *in, const glint_sce
     from_colour(in->diffuse, out->diffuse);
     out->transmission = in->transmission_q14 / Q14;
     from_colour(in->grazing, out->grazing);
+    from_colour(in->wire, out->wire);
+    out->wire_width = in->wire_width_q4 / 16.0;
     out->grazes = in->grazing.r_q14 != 0 || in->grazing.g_q14 != 0 || in->grazing.b_q14 != 0;
     for (int k = 0; k < 3; k++) {
         double body = 1.0 - out->transmission;

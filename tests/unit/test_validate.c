@@ -202,6 +202,10 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(transmission_most, w->b.material.transmission_q14 = 65535, GLINT_ERROR_TRANSMISSION)                             \
     X(grazing_high, w->b.material.grazing.b_q14 = 16385, GLINT_ERROR_GRAZING)                                          \
     X(grazing_low, w->b.material.grazing.g_q14 = -1, GLINT_ERROR_GRAZING)                                              \
+    X(wire_wide, w->b.material.wire_width_q4 = 4097, GLINT_ERROR_WIRE)                                                 \
+    X(wire_widest, w->b.material.wire_width_q4 = 65535, GLINT_ERROR_WIRE)                                              \
+    X(wire_high, w->b.material.wire.r_q14 = 16385, GLINT_ERROR_WIRE)                                                   \
+    X(wire_low, w->b.material.wire.b_q14 = -1, GLINT_ERROR_WIRE)                                                       \
     X(sides_3, w->b.material.sides = GLINT_TWO_SIDED + 1, GLINT_ERROR_SIDES)                                           \
     X(spot_direction_0, (set_spot(w, 0, 16384), w->b.light[1].direction[2] = 0), GLINT_ERROR_LIGHT_DIRECTION)          \
     X(spot_position_high, (set_spot(w, 0, 16384), w->b.light[1].position_q16[1] = (1 << 30) + 1),                      \
