@@ -11,8 +11,10 @@
 #define GLINT_OBJECT_BYTES 432
 #define GLINT_LIGHT_BYTES 88
 
-/* And of a spot light or an attenuated one for each object, beside that. */
+/* And of a spot light or an attenuated one for each object, beside that: so many words more than GLINT_MEMORY_WORDS for
+ * each object times each of these lights. */
 #define GLINT_REACH_BYTES 72
+#define GLINT_REACH_WORDS (GLINT_REACH_BYTES / 4)
 
 /* With a tolerance, this many words more for each object let its material keep a ramp of pixels (RGB565 without dither)
  * and a table of its highlight: faster, the same image. */

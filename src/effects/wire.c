@@ -24,9 +24,9 @@ bool glint_wire_line_set_up(glint_wire_line *line, const glint_point *from, cons
     line->value = (uint32_t)(edge >> GLINT_SUBPIXEL_BITS);
     line->step_x = 0u - (uint32_t)dy;
     line->step_y = (uint32_t)dx;
-    /* half the width is 8 width_q4 sub-pixels; |d| < 2^21 */
-    const uint32_t length = glint_square_root_u64((uint64_t)((int64_t)dx * dx + (int64_t)dy * dy));
-    line->limit = (uint32_t)(((uint64_t)length * width_q4 + 16) >> 5);
+    /* half the width is 8 width_q4 sub-pixels; |d| < 2^21, with 8 bits more */
+    const uint64_t square = (uint64_t)((int64_t)dx * dx + (int64_t)dy * dy);
+    line->limit = (uint32_t)(((uint64_t)glint_square_root_u64(square << 16) * width_q4 + (1 << 12)) >> 13);
     return line->limit != 0;
 }
 
