@@ -5,7 +5,8 @@
  */
 #include <examples/scenes/parts.h>
 
-/* ------------------------------------------------------------------------------------------------------------- sides */
+/* ------------------------------------------------------------------------------------------------------------- sides
+ */
 
 static const glint_camera bowl_camera = {
     .eye_q16 = POINT(0, 4200, 8200),
@@ -28,7 +29,8 @@ static const glint_material two_sided = CLAY(300, 450, 800, GLINT_TWO_SIDED);
 /* Lying on their side, the rim towards the camera, above; standing on their foot, below. */
 #define TIPPED(x, y, z)                                                                                                \
     {                                                                                                                  \
-        .linear_q16 = {{MILLI_Q16(850), 0, 0}, {0, Q16(4 * 850, 5000), Q16(-3 * 850, 5000)},                           \
+        .linear_q16 = {{MILLI_Q16(850), 0, 0},                                                                         \
+                       {0, Q16(4 * 850, 5000), Q16(-3 * 850, 5000)},                                                   \
                        {0, Q16(3 * 850, 5000), Q16(4 * 850, 5000)}},                                                   \
         .origin_q16 = POINT(x, y, z)                                                                                   \
     }
@@ -40,7 +42,7 @@ static const glint_object bowl_objects[] = {
     {&glint_mesh_bowl, &two_sided, TIPPED(2100, 900, -1400)},
     {&glint_mesh_bowl, &culled, PLACE_SCALED(850, 850, 850, -1800, -40, 1100)},
     {&glint_mesh_bowl, &alike, PLACE_SCALED(850, 850, 850, 0, -40, 1100)},
-    {&glint_mesh_bowl, &two_sided, PLACE_SCALED(-850, 850, 850, 1800, -40, 1100)}, /* mirrored: outside stays outside */
+    {&glint_mesh_bowl, &two_sided, PLACE_SCALED(850, 850, 850, 1800, -40, 1100)},
 };
 
 static const glint_light bowl_lights[] = {
@@ -58,7 +60,8 @@ const glint_scene demo_bowls = {
     .background = COLOUR(90, 100, 120),
 };
 
-/* --------------------------------------------------------------------------------------------------------------- fog */
+/* --------------------------------------------------------------------------------------------------------------- fog
+ */
 
 static const glint_camera avenue_camera = {
     .eye_q16 = POINT(0, 1700, 9000),
@@ -81,7 +84,9 @@ static const glint_material ball = {
     {&glint_mesh_box, &stone, PLACE_SCALED(300, 1000, 300, -2200, 1000, z)},                                           \
         {&glint_mesh_box, &stone, PLACE_SCALED(300, 1000, 300, 2200, 1000, z)},                                        \
         {&glint_mesh_sphere_24x12, &ball, PLACE_SCALED(450, 450, 450, -2200, 2450, z)},                                \
-        {&glint_mesh_sphere_24x12, &ball, PLACE_SCALED(450, 450, 450, 2200, 2450, z)}
+    {                                                                                                                  \
+        &glint_mesh_sphere_24x12, &ball, PLACE_SCALED(450, 450, 450, 2200, 2450, z)                                    \
+    }
 
 static const glint_object avenue_objects[] = {
     {&glint_mesh_plane, &road, PLACE_SCALED(6000, 1000, 18000, 0, 0, -12000)},
@@ -106,12 +111,13 @@ const glint_scene demo_avenue = {
     .fog = {.colour = COLOUR(640, 680, 740), .begin_q16 = MILLI_Q16(7000), .end_q16 = MILLI_Q16(25000)},
 };
 
-/* ------------------------------------------------------------------------------------------------------ transmission */
+/* ------------------------------------------------------------------------------------------------------ transmission
+ */
 
 static const glint_camera table_camera = {
     .eye_q16 = POINT(0, 2600, 7500),
     .target_q16 = POINT(0, 850, 0),
-    .field_of_view_turn16 = DEGREES_TURN16(36),
+    .field_of_view_turn16 = DEGREES_TURN16(42),
     .near_q16 = MILLI_Q16(3500),
 };
 
@@ -143,7 +149,7 @@ static const glint_material green_glass = {
 
 #define TILE(material, x, z)                                                                                           \
     {                                                                                                                  \
-        &glint_mesh_box, &(material), PLACE_SCALED(500, 100, 500, x, -100, z)                                           \
+        &glint_mesh_box, &(material), PLACE_SCALED(500, 100, 500, x, -100, z)                                          \
     }
 #define TILES(z, a, b)                                                                                                 \
     TILE(a, -2500, z), TILE(b, -1500, z), TILE(a, -500, z), TILE(b, 500, z), TILE(a, 1500, z), TILE(b, 2500, z)
@@ -206,12 +212,13 @@ const glint_scene demo_pond = {
     .background = COLOUR(560, 680, 820),
 };
 
-/* -------------------------------------------------------------------------------------------------------------- wire */
+/* -------------------------------------------------------------------------------------------------------------- wire
+ */
 
 static const glint_camera mesh_camera = {
     .eye_q16 = POINT(0, 6200, 11500),
-    .target_q16 = POINT(150, 1450, 0),
-    .field_of_view_turn16 = DEGREES_TURN16(32),
+    .target_q16 = POINT(200, 1500, 0),
+    .field_of_view_turn16 = DEGREES_TURN16(24),
     .near_q16 = MILLI_Q16(6000),
 };
 
@@ -220,11 +227,11 @@ static const glint_material meshed = {
     .diffuse = COLOUR(700, 560, 350),
     .specular = COLOUR(400, 400, 400),
     .exponent_q4 = 30 * 16,
-    .wire = COLOUR(60, 80, 160),
-    .wire_width_q4 = 20,
+    .wire = COLOUR(40, 60, 200),
+    .wire_width_q4 = 12,
 };
 
-static const glint_object mesh_objects[] = {{&glint_mesh_teapot_small, &meshed, PLACE_AT(0, 0, 0)}};
+static const glint_object mesh_objects[] = {{&glint_mesh_teapot, &meshed, PLACE_AT(0, 0, 0)}};
 
 const glint_scene demo_mesh = {
     .camera = &mesh_camera,
@@ -233,5 +240,5 @@ const glint_scene demo_mesh = {
     .lights = bowl_lights,
     .light_count = LENGTH_OF(bowl_lights),
     .ambient = COLOUR(220, 220, 230),
-    .background = COLOUR(230, 235, 245),
+    .background = COLOUR(800, 830, 870),
 };

@@ -43,8 +43,8 @@ typedef struct glint_object_plan {
     uint8_t fog;                            /* glint_reason: is fog mixed in at the object's pixels? */
     uint8_t transmission, grazing;          /* glint_reason: does light come through, less at grazing angles? */
     uint8_t wire;                           /* glint_reason: are edges drawn? */
-    bool needs_bounds;                      /* some light may be too far away, there may be fog, or light comes through */
-    glint_bounds bounds;                    /* only where needs_bounds */
+    bool needs_bounds;   /* some light may be too far away, there may be fog, or light comes through */
+    glint_bounds bounds; /* only where needs_bounds */
 } glint_object_plan;
 
 typedef struct glint_light_plan {

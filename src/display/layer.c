@@ -48,8 +48,7 @@ glint_shade glint_unpack(const glint_target *target, int16_t x, int16_t y)
     case GLINT_RGB565:
     case GLINT_RGB565_SWAPPED: {
         const uint16_t stored = ((const uint16_t *)(const void *)row)[x];
-        const uint32_t pixel =
-            target->format == GLINT_RGB565 ? stored : ((uint32_t)stored << 8 | stored >> 8) & 0xffff;
+        const uint32_t pixel = target->format == GLINT_RGB565 ? stored : ((uint32_t)stored << 8 | stored >> 8) & 0xffff;
         const glint_shade shade = {from_u5(pixel >> 11), from_u6(pixel >> 5 & 63), from_u5(pixel & 31)};
         return shade;
     }
@@ -57,7 +56,7 @@ glint_shade glint_unpack(const glint_target *target, int16_t x, int16_t y)
         return grey(from_u8(row[x]));
     case GLINT_GREY4:
         return grey(level_q15(x & 1 ? row[x >> 1] & 15u : row[x >> 1] >> 4, 8947849, 12)); /* 2184.533 */
-    default:                                                                            /* GLINT_MONO_PAGES */
+    default:                                                                               /* GLINT_MONO_PAGES */
         return grey((uint16_t)(row[x] >> (y & 7) & 1 ? 32768 : 0));
     }
 }

@@ -99,7 +99,7 @@ uint16_t glint_fog_error_q8(const glint_fog_state *fog, uint32_t least_q30, uint
     /* a code is 1/255: 1/256 of it counts 2^-16 of f; T has 4 bits of its own */
     const uint64_t from_depth = ((uint64_t)part * fog->steepest_q4 >> (34 - up)) + 1;
     /* T 2^-20 for the vertices, and T 2^-26; the last bit of A / d and of B; the rounding of f and of the colour */
-    const uint64_t sum =
-        from_depth + (fog->steepest_q4 >> 8) + (fog->steepest_q4 >> 14) + 2 + (fog->fraction >= 16 ? 2 : (uint32_t)2 << (16 - fog->fraction)) + 2;
+    const uint64_t sum = from_depth + (fog->steepest_q4 >> 8) + (fog->steepest_q4 >> 14) + 2 +
+                         (fog->fraction >= 16 ? 2 : (uint32_t)2 << (16 - fog->fraction)) + 2;
     return sum < UINT16_MAX ? (uint16_t)sum : UINT16_MAX;
 }

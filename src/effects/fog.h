@@ -27,9 +27,9 @@ typedef struct glint_fog_state {
     bool present;                  /* the scene has fog; else nothing else is set */
     uint32_t clear_q30, whole_q30; /* d: from the first on there is no fog, up to the second nothing else */
     glint_scaled a;
-    uint32_t b;          /* `fraction` bits */
+    uint32_t b;           /* `fraction` bits */
     uint32_t steepest_q4; /* T, rounded up */
-    int8_t fraction;     /* 5..27 */
+    int8_t fraction;      /* 5..27 */
 } glint_fog_state;
 
 void glint_fog_set_up(glint_fog_state *fog, const glint_fog *from, const glint_view *view);

@@ -10,14 +10,14 @@
 #include "effects/wire.h"
 
 typedef struct pixel_effects {
-    bool any;    /* else only `hidden` is set */
-    bool hidden; /* all of it lies in the fog: one colour, and no effect any more */
-    const glint_fog_state *fog; /* NULL: none at this triangle */
+    bool any;                     /* else only `hidden` is set */
+    bool hidden;                  /* all of it lies in the fog: one colour, and no effect any more */
+    const glint_fog_state *fog;   /* NULL: none at this triangle */
     const glint_through *through; /* NULL: it is opaque */
     const glint_wire *wire;       /* NULL: no line of this triangle is drawn */
     uint8_t line_count;           /* lines of the wire, */
     glint_wire_line line[3];
-    uint16_t error_q8;          /* what they add to the promise, 1/256 code */
+    uint16_t error_q8; /* what they add to the promise, 1/256 code */
 } pixel_effects;
 
 #endif

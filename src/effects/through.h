@@ -45,8 +45,8 @@ glint_shade glint_through_rest(const glint_shade *colour, uint32_t through_q15);
 
 /*
  * |C - eye|^2 - R^2 of a sphere, as a number of 32 bits that grows with it; relative error 2^-19, and of the distance
- * 2^-28. With two spheres apart, the greater of these is of the sphere that the other one may cover: the eye lies on the
- * other one's side of the plane in which the two powers are equal, which separates the spheres.
+ * 2^-28. With two spheres apart, the greater of these is of the sphere that the other one may cover: the eye lies on
+ * the other one's side of the plane in which the two powers are equal, which separates the spheres.
  */
 int32_t glint_through_order(const glint_bounds *bounds, const int32_t eye_q16[3]);
 

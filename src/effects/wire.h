@@ -3,9 +3,9 @@
  * The edges of a triangle's mesh, drawn over it: pixels whose centres are near to the line through an edge.
  *
  * With E the edge function of snapped corners (raster/edges.h), the distance of a pixel's centre is E / |d| sub-pixels,
- * d the edge. What is stepped from pixel to pixel is floor(E / 256), exactly, modulo 2^32; it is below 2^31 in magnitude
- * within the triangle. The border of the line is off by at most 1.6 / |d|: 1/160 px at an edge of one pixel, less at a
- * longer one (tests/unit/test_wire.c).
+ * d the edge. What is stepped from pixel to pixel is floor(E / 256), exactly, modulo 2^32; it is below 2^31 in
+ * magnitude within the triangle. The border of the line is off by at most 1.1 / |d|: 1/232 px at an edge of one pixel,
+ * less at a longer one (tests/unit/test_wire.c).
  */
 #ifndef GLINT_EFFECTS_WIRE_H
 #define GLINT_EFFECTS_WIRE_H

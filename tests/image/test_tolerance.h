@@ -65,7 +65,7 @@ static void observe_run(shade_state *shade, int16_t x, int16_t y, uint16_t count
 {
     for (uint16_t i = 0; i < count; i++) {
         observed_pixel *pixel = &seen[y * seen_width + x + i];
-        const double through = shade->effects.through != NULL ? shade->effects.through->t_q15 / 32768.0 : 0;
+        const double through = shade->object->lit.through.t_q15 / 32768.0;
         const double behind = pixel->tier == GLINT_TIERS ? 0.5 : pixel->promise_q8 / 256.0 + pixel->behind;
         pixel->behind = through * behind;
         pixel->coarse = 1 + through * (pixel->tier == GLINT_TIERS ? 1 : pixel->coarse);

@@ -147,9 +147,9 @@ typedef struct contender {
 /* A surface that lets light through, at a pixel. */
 typedef struct layer {
     contender surface;
-    corner hit;   /* at the pixel's centre, or the point nearest to it */
-    double depth; /* as those of contenders */
-    bool there;   /* it covers the centre, and nothing opaque is nearer */
+    corner hit;      /* at the pixel's centre, or the point nearest to it */
+    double depth;    /* as those of contenders */
+    bool there;      /* it covers the centre, and nothing opaque is nearer */
     bool doubtful;   /* that may be otherwise */
     bool either_way; /* so may its order and that of the one before it */
 } layer;
@@ -166,7 +166,7 @@ struct reference_detail {
     int32_t triangle_count;
     triangle *triangles;
     int surface_count;
-    bool has_layers; /* some surface lets light through */
+    bool has_layers;   /* some surface lets light through */
     surface *surfaces; /* one an object */
     int lamp_count;
     lamp *lamps;
@@ -195,8 +195,9 @@ corner meet_nearest(const triangle *t, double x, double y);
 /* The point of the triangle's surface on the ray through (x, y), which is inside it. */
 corner meet_hit(const reference_detail *d, const triangle *t, double x, double y);
 
-/* contest.c: fills d->contenders for a pixel with its opaque surfaces, in drawing order, and returns their number; *front is the index of the
- * one that is seen (-1: the background), *mask its edge and depth bits, *background whether that may show. */
+/* contest.c: fills d->contenders for a pixel with its opaque surfaces, in drawing order, and returns their number;
+ * *front is the index of the one that is seen (-1: the background), *mask its edge and depth bits, *background whether
+ * that may show. */
 int contest(reference_detail *d, int x, int y, int *front, uint8_t *mask, bool *background);
 /* Groups contenders and finds the groups that must cover the pixel. */
 void contest_groups(const reference_detail *d, contender *c, int count);

@@ -26,9 +26,9 @@
  * the model ends abruptly at n.s = 0, would change the colour there by more than 1/1000 code. In Gouraud shading n and
  * s are those of a corner, in flat shading those of the centroid.
  *
- * REFERENCE_LAYER: a surface that lets light through may cover the pixel or not, or be in front of what else is there or
- * not, by the same e and N; its one candidate is the range of all the colours that this may give. Layers are laid over
- * each other in the order of their depths; where a renderer's order may differ is in <glint/scene.h>. What is said
+ * REFERENCE_LAYER: a surface that lets light through may cover the pixel or not, or be in front of what else is there
+ * or not, by the same e and N; its one candidate is the range of all the colours that this may give. Layers are laid
+ * over each other in the order of their depths; where a renderer's order may differ is in <glint/scene.h>. What is said
  * above of candidates is of the opaque surfaces.
  *
  * Gouraud shading of a triangle that the near plane cuts: the polygon that remains (Sutherland-Hodgman, started at

@@ -224,7 +224,7 @@ wire_state shade_wire(const reference_detail *d, const triangle *t, double x, do
         }
         double along = ((x - a->x) * dx + (y - a->y) * dy) / (l * l);
         double distance = fabs(t->line[k][0] * x + t->line[k][1] * y + t->line[k][2]);
-        double border = e * (1.0 + 2.0 * fmax(0.0, fmax(-along, along - 1.0))) + 1.6 / 256.0 / l + e / 16.0;
+        double border = e * (1.0 + 2.0 * fmax(0.0, fmax(-along, along - 1.0))) + 1.1 / 256.0 / l + e / 16.0;
         if (distance < half - border) {
             return WIRE_ON;
         }

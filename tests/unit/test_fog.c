@@ -126,9 +126,9 @@ static void test_ends_are_exact(void **state)
         assert_int_equal(glint_fog_q15(&f.state, 0), 32768);
         if (f.state.clear_q30 != UINT32_MAX) {
             assert_int_equal(glint_fog_q15(&f.state, f.state.clear_q30), 0);
-            assert_int_equal(glint_fog_q15(&f.state, (uint32_t)1 << 30 > f.state.clear_q30 ? (uint32_t)1 << 30
-                                                                                          : f.state.clear_q30),
-                             0);
+            assert_int_equal(
+                glint_fog_q15(&f.state, (uint32_t)1 << 30 > f.state.clear_q30 ? (uint32_t)1 << 30 : f.state.clear_q30),
+                0);
         }
     }
     const glint_shade colour = {1, 20000, 32768};

@@ -17,7 +17,8 @@
 #define READ_ULP 0.503
 #define ORDER_ROUNDS 400000
 
-/* ----------------------------------------------------------------------------------------------------------- formats */
+/* ----------------------------------------------------------------------------------------------------------- formats
+ */
 
 static const uint8_t formats[] = {GLINT_RGB888, GLINT_RGB565, GLINT_RGB565_SWAPPED,
                                   GLINT_GREY8,  GLINT_GREY4,  GLINT_MONO_PAGES};
@@ -28,7 +29,9 @@ static uint8_t band[8 * 24];
 static glint_target target_of(uint8_t format, uint8_t dither)
 {
     const glint_target target = {.pixels = band,
-                                 .stride_bytes = format == GLINT_RGB888 ? 24 : format <= GLINT_RGB565_SWAPPED ? 16 : 8,
+                                 .stride_bytes = format == GLINT_RGB888           ? 24
+                                                 : format <= GLINT_RGB565_SWAPPED ? 16
+                                                                                  : 8,
                                  .format = format,
                                  .dither = dither};
     return target;
@@ -103,7 +106,8 @@ static void test_dithered_layers_keep_the_mean(void **state)
     assert_true(worst <= MEAN_STEPS && worst > MEAN_STEPS / 2);
 }
 
-/* ----------------------------------------------------------------------------------------------------------- grazing */
+/* ----------------------------------------------------------------------------------------------------------- grazing
+ */
 
 static void test_mirrored_power(void **state)
 {
@@ -119,7 +123,8 @@ static void test_mirrored_power(void **state)
     assert_int_equal(glint_through_mirrored_q15(32768), 0);
 }
 
-/* ------------------------------------------------------------------------------------------------------------- order */
+/* ------------------------------------------------------------------------------------------------------------- order
+ */
 
 static glint_bounds any_bounds(int most_bits)
 {
@@ -164,8 +169,7 @@ static void test_order_of_spheres(void **state)
                 along += direction[k] * (long double)(s->centre_q16[k] - eye[k]);
                 away += (long double)(s->centre_q16[k] - eye[k]) * (long double)(s->centre_q16[k] - eye[k]);
             }
-            const long double rest =
-                (long double)s->radius_q16 * (long double)s->radius_q16 - (away - along * along);
+            const long double rest = (long double)s->radius_q16 * (long double)s->radius_q16 - (away - along * along);
             met = met && rest >= 0;
             enter[n] = met ? along + sqrtl(rest) : 0; /* where it leaves; behind the eye: not seen */
             met = met && enter[n] > 0;
@@ -183,7 +187,8 @@ static void test_order_of_spheres(void **state)
     assert_true(tried > 1000);
 }
 
-/* ------------------------------------------------------------------------------------------------------------ frames */
+/* ------------------------------------------------------------------------------------------------------------ frames
+ */
 
 #define SHEETS 4
 

@@ -499,7 +499,9 @@ static void expect_words_bound(const demo_scene *demo, const glint_display *d)
     uint32_t vertices = 0, triangles = 0;
     for (uint16_t i = 0; i < scene->object_count; i++) {
         vertices += scene->objects[i].mesh->vertex_count;
-        triangles += scene->objects[i].mesh->triangle_count;
+        const glint_material *material = scene->objects[i].material;
+        const bool twice = material->transmission_q14 != 0 && material->sides != GLINT_FRONT_SIDE;
+        triangles += scene->objects[i].mesh->triangle_count * (twice ? 2u : 1u);
     }
     uint32_t reaches = 0;
     for (uint16_t i = 0; i < scene->light_count; i++) {

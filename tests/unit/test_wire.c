@@ -47,7 +47,7 @@ static void test_lines(void **state)
         }
     }
     printf("border of a line: off by at most %.3Lf / |d|\n", worst);
-    assert_true(worst <= 1.6L && worst > 0.5L);
+    assert_true(worst <= 1.1L && worst > 0.5L);
 }
 
 static void draw(frame *f, const board *b, int backend, uint8_t shading, uint8_t tolerance, uint16_t band_px)
@@ -77,7 +77,8 @@ static void check_diagonal(const frame *f, double half_px, int shown, int drawn)
 
 static void test_diagonal_of_a_board(void **state)
 {
-    static const uint8_t shadings[] = {GLINT_SHADING_EXACT, GLINT_SHADING_GOURAUD, GLINT_SHADING_FLAT, GLINT_SHADING_Q1};
+    static const uint8_t shadings[] = {GLINT_SHADING_EXACT, GLINT_SHADING_GOURAUD, GLINT_SHADING_FLAT,
+                                       GLINT_SHADING_Q1};
     (void)state;
     for (int n = 0; n < FRAME_BACKENDS * 5 * 3; n++) {
         static const uint16_t widths_q4[] = {16, 33, 120};
