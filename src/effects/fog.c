@@ -63,7 +63,7 @@ uint32_t glint_fog_q15(const glint_fog_state *fog, uint32_t d_q30)
     /* a.m 2^-a.f r 2^(up - 62), of which the product's upper half is a.m r 2^-31; at least 2^29, and A / d < 2^28 */
     const uint32_t product = multiply_high_u32((uint32_t)fog->a.m << 1, r);
     const int down = 31 + fog->a.f - fraction - up;
-    GLINT_TRACE("fog shift", down);
+    GLINT_TRACE("fog shift", down); /* A / d is at least near / deep, 2^-24 */
     const uint32_t t = down > 31 ? 0 : down < 1 ? UINT32_MAX : ((product >> (down - 1)) + 1) >> 1;
     if (t <= fog->b) {
         return 0;

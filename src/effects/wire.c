@@ -19,7 +19,7 @@ bool glint_wire_line_set_up(glint_wire_line *line, const glint_point *from, cons
         return false;
     }
     const int32_t centre = GLINT_SUBPIXEL / 2;
-    const int64_t edge = (int64_t)dx * (centre - from->y) - (int64_t)dy * (centre - from->x); /* below 2^43 */
+    const int64_t edge = (int64_t)dx * (centre - from->y) - (int64_t)dy * (centre - from->x); /* below 2^41 */
     GLINT_TRACE("wire edge", edge);
     line->value = (uint32_t)(edge >> GLINT_SUBPIXEL_BITS);
     line->step_x = 0u - (uint32_t)dy;
