@@ -84,7 +84,7 @@ static bool is_bent(const shade_state *shade)
     for (int i = 0; i < 3; i++) {
         real n[3];
         double square = 0;
-        corner_normal(shade->object, shade->vertex, i, shade->turned, n);
+        corner_normal(shade->object, shade->vertex, i, n);
         for (int k = 0; k < 3; k++) {
             square += (double)n[k] * (double)n[k];
         }
