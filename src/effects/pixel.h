@@ -10,8 +10,6 @@
 #include "effects/wire.h"
 
 typedef struct pixel_effects {
-    bool any;                     /* else only `hidden` is set */
-    bool hidden;                  /* all of it lies in the fog: one colour, and no effect any more */
     const glint_fog_state *fog;   /* NULL: none at this triangle */
     const glint_through *through; /* NULL: it is opaque */
     const glint_wire *wire;       /* NULL: no line of this triangle is drawn */
