@@ -40,6 +40,12 @@ const char *glint_error_text(int error)
         return "a material has an emission below 0 or above 1";
     case GLINT_ERROR_SIDES:
         return "a material's sides are unknown";
+    case GLINT_ERROR_TRANSMISSION:
+        return "a material lets more light through than there is: its transmission is above 1";
+    case GLINT_ERROR_GRAZING:
+        return "a material mirrors a colour below 0 or above 1 at grazing angles";
+    case GLINT_ERROR_WIRE:
+        return "a material's wire is wider than 256 pixels, or its colour below 0 or above 1";
     case GLINT_ERROR_LIGHT_KIND:
         return "a light's kind is unknown";
     case GLINT_ERROR_LIGHT_DIRECTION:

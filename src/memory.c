@@ -33,8 +33,11 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     uint64_t triangle_count = 0, mirror_count = 0;
     for (uint16_t i = 0; i < scene->object_count; i++) {
         vertex_count += scene->objects[i].mesh->vertex_count;
-        triangle_count += scene->objects[i].mesh->triangle_count;
-        mirror_count += glint_mirrors(scene->objects[i].material);
+        /* a see-through object of two sides is gone through twice */
+        const glint_material *material = scene->objects[i].material;
+        const bool twice = material != NULL && material->transmission_q14 != 0 && material->sides != GLINT_FRONT_SIDE;
+        triangle_count += (uint32_t)scene->objects[i].mesh->triangle_count * (twice ? 2u : 1u);
+        mirror_count += material != NULL && glint_mirrors(material);
     }
     needs->stride = display->stride_bytes ? display->stride_bytes : glint_row_bytes(display->format, display->width_px);
     needs->band_px = band;

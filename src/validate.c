@@ -77,7 +77,17 @@ static int check_material(const glint_material *material, const glint_environmen
         return GLINT_ERROR_MIRROR;
     }
     const bool mirrors = (material->mirror.r_q14 | material->mirror.g_q14 | material->mirror.b_q14) != 0;
-    return mirrors && environment == NULL ? GLINT_ERROR_NULL_ENVIRONMENT : GLINT_OK;
+    if (mirrors && environment == NULL) {
+        return GLINT_ERROR_NULL_ENVIRONMENT;
+    }
+    if (material->transmission_q14 > ONE_Q14) {
+        return GLINT_ERROR_TRANSMISSION;
+    }
+    if (!in_range(&material->grazing, ONE_Q14)) {
+        return GLINT_ERROR_GRAZING;
+    }
+    return material->wire_width_q4 <= GLINT_MAX_WIRE_Q4 && in_range(&material->wire, ONE_Q14) ? GLINT_OK
+                                                                                              : GLINT_ERROR_WIRE;
 }
 
 static bool distance_in_range(uint32_t distance_q16)

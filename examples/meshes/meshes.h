@@ -19,6 +19,9 @@ extern const glint_mesh glint_mesh_sphere_24x12; /* 528 triangles */
 extern const glint_mesh glint_mesh_sphere_32x16; /* 960 triangles */
 extern const glint_mesh glint_mesh_sphere_64x32; /* 3,968 triangles */
 
+/* The lower half of that sphere, open at the top. */
+extern const glint_mesh glint_mesh_bowl; /* 480 triangles */
+
 /* The Utah teapot: y is up, its base stands at y = 0 on the y axis, its spout points along +x. About 6.4 units from
  * handle to spout and 3.15 high. Handle and spout are open surfaces that run into the body, as published. */
 extern const glint_mesh glint_mesh_teapot;       /* 3,648 triangles */

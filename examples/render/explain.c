@@ -60,6 +60,10 @@ static void explain_object(FILE *file, const glint_scene *scene, uint16_t number
     explain_term(file, "ground", plan.ground);
     explain_term(file, "emission", plan.emission);
     explain_term(file, "mirror", plan.mirror);
+    explain_term(file, "fog", plan.fog);
+    explain_term(file, "through", plan.transmission);
+    explain_term(file, "grazing", plan.grazing);
+    explain_term(file, "wire", plan.wire);
     for (uint16_t i = 0; i < scene->light_count; i++) {
         lights += explain_light(file, scene, number, &plan, i, tolerance);
     }

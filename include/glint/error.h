@@ -35,8 +35,11 @@ typedef enum glint_error {
     GLINT_ERROR_REFLECTANCE = -30, /* below 0 or above 1 */
     GLINT_ERROR_EXPONENT = -31,    /* above GLINT_MAX_EXPONENT */
     GLINT_ERROR_SPECULAR_MODEL = -32,
-    GLINT_ERROR_EMISSION = -33, /* below 0 or above 1 */
-    GLINT_ERROR_SIDES = -34,    /* unknown choice of sides */
+    GLINT_ERROR_EMISSION = -33,     /* below 0 or above 1 */
+    GLINT_ERROR_SIDES = -34,        /* unknown choice of sides */
+    GLINT_ERROR_TRANSMISSION = -37, /* above 1 */
+    GLINT_ERROR_GRAZING = -38,      /* below 0 or above 1 */
+    GLINT_ERROR_WIRE = -39,         /* wider than GLINT_MAX_WIRE_Q4, or of a colour below 0 or above 1 */
 
     /* lights */
     GLINT_ERROR_LIGHT_KIND = -40,

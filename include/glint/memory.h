@@ -9,8 +9,8 @@
 
 /* Upper bounds of what either backend keeps of the frame and the triangle being drawn, of an object, and of a light for
  * each object. */
-#define GLINT_DRAWING_BYTES 1664
-#define GLINT_OBJECT_BYTES 400
+#define GLINT_DRAWING_BYTES 1856
+#define GLINT_OBJECT_BYTES 448
 #define GLINT_LIGHT_BYTES 96
 
 /* And of a spot light or an attenuated one for each object, beside that: so many words more than GLINT_MEMORY_WORDS for
@@ -44,7 +44,7 @@
 /*
  * uint32_t words that let each vertex be transformed once a frame and each triangle be sorted into bands, for
  *   width_px, height_px, band_px, format, buffers   of the display (rows without gap)
- *   vertices, triangles   sums over all objects
+ *   vertices, triangles   sums over all objects; triangles of a see-through object of which both sides are drawn twice
  *   objects, lights       of the scene; an extended source counts as many lights as it has samples (16 for 0)
  * For example: static uint32_t memory[GLINT_MEMORY_WORDS(240, 240, 16, GLINT_RGB565_SWAPPED, 1, 512, 960, 1, 1)];
  */

@@ -25,7 +25,9 @@ typedef enum glint_reason {
     GLINT_LIGHT_ZERO = 2,       /* the light, or the scene's ambient light, is black */
     GLINT_NO_COMMON_COLOUR = 3, /* neither is black, but no channel has both: a blue light on a red surface */
     GLINT_OUT_OF_RANGE = 4,     /* the whole object is at least the light's range away from it */
-    GLINT_OUTSIDE_CONE = 5      /* the whole object is outside of the spot light's outer cone */
+    GLINT_OUTSIDE_CONE = 5,     /* the whole object is outside of the spot light's outer cone */
+    GLINT_NOT_IN_SCENE = 6,     /* the scene has none of it */
+    GLINT_IN_FRONT = 7          /* the whole object is in front of where the fog begins */
 } glint_reason;
 
 /* A sentence in English, never NULL. */
@@ -39,8 +41,11 @@ typedef struct glint_bounds {
 
 typedef struct glint_object_plan {
     uint8_t ambient, sky, ground, emission, mirror; /* glint_reason of each term that no light is needed for */
-    bool needs_bounds;                              /* some light may be too far away, or has an extent */
-    glint_bounds bounds;                            /* only where needs_bounds */
+    uint8_t fog;                                    /* glint_reason: is fog mixed in at the object's pixels? */
+    uint8_t transmission, grazing;                  /* glint_reason: does light come through, less at grazing angles? */
+    uint8_t wire;                                   /* glint_reason: are edges drawn? */
+    bool needs_bounds;   /* some light may be too far away or has an extent, there may be fog, or light comes through */
+    glint_bounds bounds; /* only where needs_bounds */
 } glint_object_plan;
 
 typedef struct glint_light_plan {

@@ -20,8 +20,13 @@
  *
  * A scene may call for more than that; what it leaves at zero is not there and costs nothing:
  *
- *     L = e + r_a I_a(n) + r_m E(r) + sum_j I_j a_j(d_j) b_j(s_j) [ ... ]      emission, hemisphere, mirror,
- * attenuation, spot displayed: (1 - f) L + f F                                               fog
+ *     L = e + r_a I_a(n) + r_m E(r) + sum_j I_j a_j(d_j) b_j(s_j) [ ... ]      emission, hemisphere, mirror, lights
+ *     displayed: (1 - f) L + f F                                               fog
+ *
+ * and of a surface that lets light through, by glint_material.transmission t and .grazing G:
+ *
+ *     L = (1 - t) (e + r_a I_a + diffuse terms) + mirror and specular terms, clamped,    phi = (1 - |n.c|)^5, 0 where G
+ * is black, t' = t (1 - phi), displayed: min(1, (1 - f) (L + t phi G) + f (1 - t') F + t' behind)      transmission
  *
  * e          emission of the surface, glint_material.emission
  * I_a(n)     ambient light: scene.ambient everywhere, and scene.sky and scene.ground by the normal,
@@ -33,6 +38,23 @@
  * a_j(d)     attenuation with the distance d from a point or spot light, see glint_light
  * b_j(s)     the cone of a spot light, see glint_light
  * f          fog by the depth Z along the view direction, see glint_fog
+ * behind     what is displayed there without the surface: its own fog is in it, so f takes no part of it
+ *
+ * What shines through takes the place of the light that the body of the surface scatters, not of the light that its
+ * face mirrors: glass loses its colour with t, but not its highlights. At a grazing angle it mirrors all of the light,
+ * by Schlick's approximation of Fresnel's equations with nothing mirrored straight on (C. Schlick, "An inexpensive BRDF
+ * model for physically-based rendering", Computer Graphics Forum 13(3), 1994); G stands for the surroundings seen
+ * there. In Gouraud and flat shading n is the face's there; c is that of the pixel in every shading.
+ *
+ * Surfaces that let light through are drawn after the others, from far to near by objects: by |C - eye|^2 - R^2, where
+ * the sphere about C of radius R holds the object. Of an object whose both sides are drawn, the insides come before the
+ * outsides. So the order is right for objects that such spheres keep apart, each convex and closed; or convex
+ * everywhere and seen on one side. Where surfaces of one object, or objects that reach into each other, cover each
+ * other the other way, they are mixed in the order of the objects and triangles. They do not hide each other.
+ *
+ * Where a material has a wire, L is its colour at each pixel of a triangle whose centre is nearer than half the width
+ * to the line through one of the triangle's edges on the screen, and nothing passes there (t' = 0). It is not lit; fog
+ * does apply. Each triangle draws its half of a line, so the outline of an object has half the width.
  */
 #ifndef GLINT_SCENE_H
 #define GLINT_SCENE_H
@@ -74,16 +96,23 @@ enum {
     GLINT_TWO_SIDED = 2   /* both; where the inside is seen, the normal is taken the other way round */
 };
 
+/* 256 px */
+#define GLINT_MAX_WIRE_Q4 4096
+
 /* What a surface does with light. Reflectances are 0..1 (16384) in each channel. */
 typedef struct glint_material {
-    glint_colour ambient;   /* r_a */
-    glint_colour diffuse;   /* r_d */
-    glint_colour specular;  /* r_s */
-    uint16_t exponent_q4;   /* alpha in sixteenths: 0..GLINT_MAX_EXPONENT * 16; 32 is written 32 * 16 */
-    uint8_t specular_model; /* GLINT_PHONG (default) or GLINT_BLINN */
-    uint8_t sides;          /* GLINT_FRONT_SIDE (default) ... */
-    glint_colour emission;  /* e: light that the surface sends out whatever falls on it, 0..1 */
-    glint_colour mirror;    /* r_m: what part of the environment the surface mirrors; asks for scene.environment */
+    glint_colour ambient;      /* r_a */
+    glint_colour diffuse;      /* r_d */
+    glint_colour specular;     /* r_s */
+    uint16_t exponent_q4;      /* alpha in sixteenths: 0..GLINT_MAX_EXPONENT * 16; 32 is written 32 * 16 */
+    uint8_t specular_model;    /* GLINT_PHONG (default) or GLINT_BLINN */
+    uint8_t sides;             /* GLINT_FRONT_SIDE (default) ... */
+    glint_colour emission;     /* e: light that the surface sends out whatever falls on it, 0..1 */
+    glint_colour mirror;       /* r_m: what part of the environment it mirrors; asks for scene.environment */
+    uint16_t transmission_q14; /* t: how much of the light behind shows through, 0 (opaque)..1 (16384) */
+    glint_colour grazing;      /* G: what it mirrors instead at grazing angles, 0..1; black: nothing, t' = t */
+    glint_colour wire;         /* colour of the mesh's edges, see above; 0..1 */
+    uint16_t wire_width_q4;    /* how wide they are, 1/16 px: 0 (none)..GLINT_MAX_WIRE_Q4 */
 } glint_material;
 
 /*

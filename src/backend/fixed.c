@@ -12,6 +12,8 @@
 #include <glint/plan.h>
 
 #include "display/flush.h"
+#include "display/layer.h"
+#include "effects/pixel.h"
 #include "geometry/vertex_fixed.h"
 #include "lighting/gloss_fixed.h"
 #include "lighting/mirror_fixed.h"

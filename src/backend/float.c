@@ -12,6 +12,8 @@
 #include <glint/plan.h>
 
 #include "display/flush.h"
+#include "display/layer.h"
+#include "effects/pixel.h"
 #include "geometry/vertex_float.h"
 #include "lighting/gloss_float.h"
 #include "lighting/mirror_float.h"

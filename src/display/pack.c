@@ -63,9 +63,9 @@ static bool is_rgb565(const glint_target *target)
     return target->format == GLINT_RGB565 || target->format == GLINT_RGB565_SWAPPED;
 }
 
-static void pack_pixel(const glint_target *target, uint8_t *row, int16_t x, int16_t y, const glint_shade *shade)
+static void pack_at(const glint_target *target, uint8_t *row, int16_t x, int16_t y, const glint_shade *shade,
+                    uint32_t threshold)
 {
-    const uint32_t threshold = threshold_q15(target, x, y);
     switch (target->format) {
     case GLINT_RGB888: {
         uint8_t *pixel = row + (size_t)x * 3;
@@ -95,6 +95,11 @@ static void pack_pixel(const glint_target *target, uint8_t *row, int16_t x, int1
     }
 }
 
+static void pack_pixel(const glint_target *target, uint8_t *row, int16_t x, int16_t y, const glint_shade *shade)
+{
+    pack_at(target, row, x, y, shade, threshold_q15(target, x, y));
+}
+
 static uint8_t *row_of(const glint_target *target, int16_t y)
 {
     uint32_t row = (uint32_t)(y - target->y_first);
@@ -102,6 +107,22 @@ static uint8_t *row_of(const glint_target *target, int16_t y)
         row >>= 3; /* bands of this format begin on a page */
     }
     return target->pixels + (size_t)row * (size_t)target->stride_bytes;
+}
+
+uint8_t *glint_pack_row(const glint_target *target, int16_t y)
+{
+    return row_of(target, y);
+}
+
+void glint_pack_thresholded(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade,
+                            uint32_t threshold_q15)
+{
+    pack_at(target, row_of(target, y), x, y, shade, threshold_q15);
+}
+
+static glint_shade *shades_at(const glint_target *target, int16_t x)
+{
+    return (glint_shade *)(void *)target->pixels + (x - target->x_first);
 }
 
 void glint_pack(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade, uint16_t count)
@@ -112,6 +133,10 @@ void glint_pack(const glint_target *target, int16_t x, int16_t y, const glint_sh
         for (uint16_t i = 0; i < count; i++) {
             pixel[i] = rgb565(target->format, &shade[i], 1 << 14);
         }
+        return;
+    }
+    if (target->format == GLINT_SHADES) {
+        memcpy(shades_at(target, x), shade, count * sizeof *shade);
         return;
     }
     for (uint16_t i = 0; i < count; i++) {
@@ -166,7 +191,10 @@ uint16_t *glint_pack_at(const glint_target *target, int16_t x, int16_t y)
 void glint_pack_fill(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade, uint16_t count)
 {
     uint8_t *row = row_of(target, y);
-    for (uint16_t i = 0; i < count; i++) {
+    for (uint16_t i = 0; target->format == GLINT_SHADES && i < count; i++) {
+        shades_at(target, x)[i] = *shade;
+    }
+    for (uint16_t i = 0; target->format != GLINT_SHADES && i < count; i++) {
         pack_pixel(target, row, (int16_t)(x + (int16_t)i), y, shade);
     }
 }

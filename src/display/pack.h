@@ -24,7 +24,12 @@ typedef struct glint_target {
     uint32_t stride_bytes;
     int16_t y_first; /* display row of the band's first row */
     uint8_t format, dither;
+    int16_t x_first; /* for GLINT_SHADES: the pixel that `pixels` begins with */
 } glint_target;
+
+/* A format of its own: colours as they are, a glint_shade each, of one row, on their way to what is done to them before
+ * they are packed. */
+#define GLINT_SHADES 255
 
 /* Writes `count` pixels from (x, y) to the right; y is a display row within the band. */
 void glint_pack(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade, uint16_t count);
@@ -41,6 +46,11 @@ uint16_t glint_pack_pixel(const glint_target *target, const glint_shade *shade);
 void glint_pack_steps(const glint_target *target, const uint32_t colour_q27[3], const uint32_t step_q27[3],
                       uint16_t *pixel, uint16_t count);
 uint16_t *glint_pack_at(const glint_target *target, int16_t x, int16_t y);
+
+/* The row (page) that holds display row y, and one pixel with a threshold of the caller's: for layers. */
+uint8_t *glint_pack_row(const glint_target *target, int16_t y);
+void glint_pack_thresholded(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade,
+                            uint32_t threshold_q15);
 
 /* Fills `rows` whole rows of `width` pixels with one colour. */
 void glint_pack_clear(const glint_target *target, uint16_t width, uint16_t rows, const glint_shade *shade);

@@ -20,6 +20,10 @@ const char *glint_reason_text(int reason)
         return "the object is beyond the light's range";
     case GLINT_OUTSIDE_CONE:
         return "the object is outside of the light's cone";
+    case GLINT_NOT_IN_SCENE:
+        return "the scene has none of it";
+    case GLINT_IN_FRONT:
+        return "the object is in front of it";
     default:
         return "unknown reason";
     }
@@ -138,6 +142,31 @@ static bool outside_cone(const glint_light *light, const apart *a)
     return cos_x_q30 < cosine_q30 && (a->distance * sine >> 30) > a->radius;
 }
 
+/* The depth of the farthest point of a sphere along the view direction, Q16, rounded up. */
+static int64_t farthest_q16(const glint_camera *camera, const glint_bounds *bounds)
+{
+    int64_t forward[3], away[3], depth = 0;
+    int32_t forward_q30[3];
+    uint64_t any = 1;
+    for (int k = 0; k < 3; k++) {
+        forward[k] = (int64_t)camera->target_q16[k] - camera->eye_q16[k];
+        away[k] = bounds->centre_q16[k] - camera->eye_q16[k];
+        any |= magnitude64(away[k]);
+    }
+    (void)glint_unit_q30(forward, forward_q30);
+    const int down = bit_length64(any) > 31 ? bit_length64(any) - 31 : 0;
+    for (int k = 0; k < 3; k++) {
+        depth += (away[k] >> down) * forward_q30[k];
+    }
+    /* three parts cut to so many bits, the sum's, and the direction's 6 units of 2^-30 a component */
+    return ((depth >> 30) + 40) * ((int64_t)1 << down) + bounds->radius_q16;
+}
+
+static glint_reason fog_reason(const glint_scene *scene, const glint_bounds *bounds)
+{
+    return farthest_q16(scene->camera, bounds) <= scene->fog.begin_q16 ? GLINT_IN_FRONT : GLINT_NEEDED;
+}
+
 void glint_plan_object(const glint_scene *scene, uint16_t object, glint_object_plan *plan)
 {
     const glint_material *material = scene->objects[object].material;
@@ -146,7 +175,12 @@ void glint_plan_object(const glint_scene *scene, uint16_t object, glint_object_p
     plan->ground = (uint8_t)reason_of(&material->ambient, &scene->ground);
     plan->emission = (uint8_t)(is_black(&material->emission) ? GLINT_REFLECTANCE_ZERO : GLINT_NEEDED);
     plan->mirror = (uint8_t)(is_black(&material->mirror) ? GLINT_REFLECTANCE_ZERO : GLINT_NEEDED);
-    plan->needs_bounds = false;
+    const bool has_fog = (scene->fog.begin_q16 | scene->fog.end_q16) != 0;
+    const bool lets_through = material->transmission_q14 != 0;
+    plan->transmission = (uint8_t)(lets_through ? GLINT_NEEDED : GLINT_REFLECTANCE_ZERO);
+    plan->grazing = (uint8_t)(lets_through && !is_black(&material->grazing) ? GLINT_NEEDED : GLINT_REFLECTANCE_ZERO);
+    plan->wire = (uint8_t)(material->wire_width_q4 != 0 ? GLINT_NEEDED : GLINT_REFLECTANCE_ZERO);
+    plan->needs_bounds = has_fog || lets_through;
     for (uint16_t i = 0; i < scene->light_count; i++) {
         plan->needs_bounds =
             plan->needs_bounds || has_reach(&scene->lights[i]) || glint_source_extends(&scene->lights[i]);
@@ -154,6 +188,7 @@ void glint_plan_object(const glint_scene *scene, uint16_t object, glint_object_p
     if (plan->needs_bounds) {
         bounds_of(&scene->objects[object], &plan->bounds);
     }
+    plan->fog = (uint8_t)(has_fog ? fog_reason(scene, &plan->bounds) : GLINT_NOT_IN_SCENE);
 }
 
 void glint_plan_light(const glint_scene *scene, uint16_t object, const glint_object_plan *of_object, uint16_t light,

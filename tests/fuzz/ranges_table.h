@@ -110,6 +110,8 @@ static const documented_range documented[] = {
     {"towards a light", S32, BELOW(TWO(31)), "its type"},
     {"level product", U32, 0, TWO(15) * 256, "display/pack.c"},
     {"luma q15", U32, 0, TWO(15), "display/pack.c"},
+    {"fog shift", S32, 1, 51, "effects/fog.c"},
+    {"wire edge", S64, BELOW(TWO(41)), "effects/wire.c"},
 };
 
 enum { DOCUMENTED = sizeof documented / sizeof *documented };

@@ -62,7 +62,8 @@ static void check_object(frame_state *state, const object_state *object)
         corner polygon[CLIP_MOST];
         triangle_extent extent;
         real attribute[3][3] = {{0}};
-        if (do_triangle(state, object, t, false, &extent) != TRIANGLE_DRAWN) {
+        const enum triangle_fate drawn = do_triangle(state, object, t, false, &extent);
+        if (drawn != TRIANGLE_DRAWN && drawn != TRIANGLE_OTHER_PASS) {
             continue;
         }
         triangle_fetch(state, object, t, &corners);
@@ -82,19 +83,23 @@ static void check_object(frame_state *state, const object_state *object)
 /* The same shapes, all white in ambient light, on black: what is not black is covered. */
 static void check_frame(const glint_scene *source, uint16_t width, uint16_t height, int backend)
 {
-    static const glint_material white = {.ambient = GLINT_WHITE};
+    static glint_material white[MOST_OBJECTS];
+    static const glint_fog clear = {.end_q16 = 0};
     static const glint_colour full = GLINT_WHITE, none = GLINT_BLACK;
     glint_object objects[MOST_OBJECTS];
     glint_scene scene = *source;
     assert_true(scene.object_count <= MOST_OBJECTS);
     for (uint16_t i = 0; i < scene.object_count; i++) {
         objects[i] = source->objects[i];
-        objects[i].material = &white;
+        white[i].ambient = full;
+        white[i].sides = source->objects[i].material->sides;
+        objects[i].material = &white[i];
     }
     scene.objects = objects;
     scene.light_count = 0;
     scene.ambient = full;
     scene.background = none;
+    scene.fog = clear;
     frame f = {.display = {.width_px = width, .height_px = height, .format = GLINT_GREY8}};
     assert_int_equal(frame_draw(&f, &scene, backend), 0);
     for (int i = 0; i < width * height; i++) {

@@ -10,7 +10,7 @@
 static inline void full_plan_object(const glint_scene *scene, uint16_t object, glint_object_plan *plan)
 {
     glint_plan_object(scene, object, plan);
-    plan->ambient = plan->sky = plan->ground = plan->emission = GLINT_NEEDED;
+    plan->ambient = plan->sky = plan->ground = plan->emission = plan->fog = GLINT_NEEDED;
 }
 
 static inline void full_plan_light(const glint_scene *scene, uint16_t object, const glint_object_plan *of_object,

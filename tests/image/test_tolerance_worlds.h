@@ -253,6 +253,19 @@ static void add_effects(world *w, double distance)
         if (one_in(w, 4)) {
             w->materials[i].emission = colour(w, 0.5, false);
         }
+        w->materials[i].sides = (uint8_t)(one_in(w, 2) ? GLINT_FRONT_SIDE : 1 + one_in(w, 2));
+    }
+    /* one object at most, of convex shape, so that there is one order only */
+    const glint_mesh *const mesh = w->objects[0].mesh;
+    if (one_in(w, 2) && mesh != &glint_mesh_torus_knot && mesh != &glint_mesh_teapot_small && mesh != &w->shards) {
+        w->materials[0].transmission_q14 = (uint16_t)between(w, 1, 16384);
+        w->materials[0].grazing = one_in(w, 2) ? colour(w, 0.9, one_in(w, 2)) : w->materials[0].grazing;
+    }
+    if (one_in(w, 2)) {
+        glint_fog *fog = &w->scene.fog;
+        fog->colour = colour(w, 0.999, one_in(w, 2));
+        fog->begin_q16 = one_in(w, 4) ? 0 : (int32_t)(Q16 * of_any_size(w, 0.1, 2 * distance));
+        fog->end_q16 = fog->begin_q16 + (int32_t)(Q16 * of_any_size(w, 0.01, 3 * distance));
     }
 }
 

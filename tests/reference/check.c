@@ -45,6 +45,7 @@ static bool agrees(const reference_candidate *c, const uint8_t actual[3], double
 
 static bool agrees_with_any(const reference_image *image, int x, int y, const uint8_t actual[3], double max_codes)
 {
+    max_codes += image->rounding[(size_t)y * (size_t)image->width + (size_t)x];
     reference_candidate list[CANDIDATES_MAX];
     int count = reference_candidates(image, x, y, list, CANDIDATES_MAX);
     for (int k = 0; k < count && k < CANDIDATES_MAX; k++) {
@@ -79,7 +80,8 @@ void reference_check(const reference_image *image, const uint8_t *rgb8, double m
         }
         for (int k = 0; k < 3; k++) {
             double level = image->rgb[(size_t)i * 3 + (size_t)k];
-            double error = fabs(actual[k] - 255.0 * level), to_code = fabs(actual[k] - rounded(level));
+            double error = fmax(0.0, fabs(actual[k] - 255.0 * level) - image->rounding[i]);
+            double to_code = fmax(0.0, fabs(actual[k] - rounded(level)) - image->rounding[i]);
             sum += error;
             square += to_code * to_code;
             worst_rounded = fmax(worst_rounded, to_code);

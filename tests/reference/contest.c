@@ -6,21 +6,30 @@
  * Why a sealed group must cover: moving each corner by up to e moves no point of the group's outline by more than e.
  * If the pixel's centre is further than that from the outline, the outline never sweeps over it, and the number of
  * times that the group winds around it stays the same; a triangle turned away winds the other way. Where that number is
- * above 0, some triangle of the group that faces the eye covers the pixel.
+ * above 0, some triangle of the group that faces the eye covers the pixel; where both sides are drawn, it does so for
+ * any number but 0.
  */
 #include <string.h>
 
 #include "internal.h"
+
+static bool is_opaque(const reference_detail *d, const meeting *m)
+{
+    return d->surfaces[d->triangles[m->triangle].object].transmission == 0.0;
+}
 
 static int gather(reference_detail *d, int x, int y)
 {
     int32_t first = d->first[(size_t)y * (size_t)d->width + (size_t)x];
     int count = 0, k;
     for (int32_t m = first; m >= 0; m = d->meetings[m].next) {
-        count++;
+        count += is_opaque(d, &d->meetings[m]);
     }
     k = count;
     for (int32_t m = first; m >= 0; m = d->meetings[m].next) {
+        if (!is_opaque(d, &d->meetings[m])) {
+            continue;
+        }
         contender *c = &d->contenders[--k];
         memset(c, 0, sizeof *c);
         c->triangle = d->meetings[m].triangle;
@@ -93,7 +102,7 @@ static bool unsealed(const triangle *t, uint8_t near_edges)
 }
 
 /* Groups the contenders and finds the groups that must cover the pixel. */
-static void find_groups(const reference_detail *d, contender *c, int count)
+void contest_groups(const reference_detail *d, contender *c, int count)
 {
     for (int a = 0; a < count; a++) {
         for (int b = a + 1; b < count && c[a].near_edges; b++) {
@@ -103,20 +112,20 @@ static void find_groups(const reference_detail *d, contender *c, int count)
         }
     }
     for (int a = 0; a < count; a++) {
-        bool open = false;
+        bool open = false, both_sides = d->surfaces[d->triangles[c[a].triangle].object].sides != GLINT_FRONT_SIDE;
         int winding = 0;
         for (int b = 0; b < count; b++) {
             if (c[b].group == c[a].group) {
                 const triangle *t = &d->triangles[c[b].triangle];
                 open = open || unsealed(t, c[b].near_edges);
-                winding += !c[b].inside ? 0 : t->front ? 1 : -1;
+                winding += !c[b].inside ? 0 : t->away ? -1 : 1;
             }
         }
-        c[a].must = winding > 0 && !open;
+        c[a].must = (both_sides ? winding != 0 : winding > 0) && !open;
     }
 }
 
-static void depth_range(const reference_detail *d, contender *c, double x, double y)
+void contest_depths(const reference_detail *d, contender *c, double x, double y)
 {
     const triangle *t = &d->triangles[c->triangle];
     corner region[MEET_REGION_MAX + 1];
@@ -145,12 +154,15 @@ int contest(reference_detail *d, int x, int y, int *front, uint8_t *mask, bool *
     }
     if (count == 1 && c[0].near_edges == 0) {
         c[0].candidate = c[0].must = true;
+        if (d->has_layers) {
+            contest_depths(d, &c[0], cx, cy);
+        }
         return 1;
     }
 
-    find_groups(d, c, count);
+    contest_groups(d, c, count);
     for (int k = 0; k < count; k++) {
-        depth_range(d, &c[k], cx, cy);
+        contest_depths(d, &c[k], cx, cy);
     }
     /* A group's far end is its farthest depth; the nearest group decides. */
     for (int k = 0; k < count; k++) {

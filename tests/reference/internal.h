@@ -76,6 +76,9 @@ typedef struct surface {
     double exponent;
     bool blinn;
     int sides;
+    double transmission, grazing[3]; /* the first is in ambient .. emission already */
+    bool grazes;
+    double wire_width, wire[3]; /* px; 0: none */
 } surface;
 
 typedef struct lamp {
@@ -119,6 +122,7 @@ typedef struct triangle {
     vector plane;     /* Z = height / (plane . d) on the ray of direction d */
     double height;
     bool front;                 /* is drawn: turns its outside to the eye, or both sides count */
+    bool away;                  /* turns its inside to the eye */
     bool thin;                  /* rounding the corners could turn it around */
     bool sealed[NEAR_EDGE + 1]; /* a neighbour that can be drawn lies beyond the edge */
     int corner_count;           /* of the polygon in front of the near plane; 0 or 3..POLYGON_MAX */
@@ -149,6 +153,16 @@ typedef struct contender {
     double depth_low, depth_high; /* 65519 near / Z: low is far */
 } contender;
 
+/* A surface that lets light through, at a pixel. */
+typedef struct layer {
+    contender surface;
+    corner hit;      /* at the pixel's centre, or the point nearest to it */
+    double depth;    /* as those of contenders */
+    bool there;      /* it covers the centre, and nothing opaque is nearer */
+    bool doubtful;   /* that may be otherwise */
+    bool either_way; /* so may its order and that of the one before it */
+} layer;
+
 struct reference_detail {
     int width, height, shading;
     reference_options options;
@@ -162,13 +176,15 @@ struct reference_detail {
     int32_t triangle_count;
     triangle *triangles;
     int surface_count;
+    bool has_layers;   /* some surface lets light through */
     surface *surfaces; /* one an object */
     int lamp_count;
     lamp *lamps;
     int32_t *first; /* meeting of each pixel, -1: none */
     meeting *meetings;
     int32_t meeting_count, meeting_room;
-    contender *contenders; /* room for the pixel with the most meetings */
+    contender *contenders; /* room for twice the pixel with the most meetings: opaque ones, and layers */
+    layer *layers;
     int contender_room;
 };
 
@@ -189,9 +205,22 @@ corner meet_nearest(const triangle *t, double x, double y);
 /* The point of the triangle's surface on the ray through (x, y), which is inside it. */
 corner meet_hit(const reference_detail *d, const triangle *t, double x, double y);
 
-/* contest.c: fills d->contenders for a pixel, in drawing order, and returns their number; *front is the index of the
- * one that is seen (-1: the background), *mask its edge and depth bits, *background whether that may show. */
+/* contest.c: fills d->contenders for a pixel with its opaque surfaces, in drawing order, and returns their number;
+ * *front is the index of the one that is seen (-1: the background), *mask its edge and depth bits, *background whether
+ * that may show. */
 int contest(reference_detail *d, int x, int y, int *front, uint8_t *mask, bool *background);
+/* Groups contenders and finds the groups that must cover the pixel. */
+void contest_groups(const reference_detail *d, contender *c, int count);
+/* The range of a contender's depths within e. */
+void contest_depths(const reference_detail *d, contender *c, double x, double y);
+
+/* layers.c: what a pixel is seen through, far to near, after contest() for it. Returns the number. */
+int layers_at(const reference_detail *d, int x, int y, int opaque, int front, bool background, layer *list);
+/* Lays them over the colour behind. *rounding, in codes, grows by what the rounding of each pixel behind makes. Returns
+ * whether any of them is in doubt. */
+bool layers_show(const reference_detail *d, const layer *list, int count, double rgb[3], double *rounding);
+/* The same of a range of colours, in all the ways that are in doubt. */
+void layers_range(const reference_detail *d, const layer *list, int count, int x, int y, reference_candidate *range);
 
 /* lamp.c */
 void lamp_load(lamp *out, const glint_light *in);
@@ -225,6 +254,13 @@ void shade_triangle(const reference_detail *d, triangle *t);
 /* The colour of a triangle at a point of its screen polygon. variant: see shade_variants(); -1: the model's own. */
 void shade_corner(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
                   double rgb[3]);
+/* Is a place on the screen on the triangle's wire, or so near to its border that rounding may decide? */
+typedef enum wire_state { WIRE_OFF = 0, WIRE_ON = 1, WIRE_DOUBTFUL = 2 } wire_state;
+wire_state shade_wire(const reference_detail *d, const triangle *t, double x, double y);
+/* The same with the wire there or not, of a surface that may let light through: its own light, and how much passes of
+ * what is behind. */
+void shade_layer(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
+                 bool wire, double rgb[3], double *through);
 /* In how many ways specular terms may be there or not: 1 where no terminator is near. */
 int shade_variants(const reference_detail *d, const triangle *t, const corner *anchor);
 

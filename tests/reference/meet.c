@@ -237,6 +237,7 @@ int meet_all(reference_detail *d)
         }
         d->contender_room = count > d->contender_room ? count : d->contender_room;
     }
-    d->contenders = malloc(((size_t)d->contender_room + 1) * sizeof *d->contenders);
-    return d->contenders ? 0 : -1;
+    d->contenders = malloc(((size_t)d->contender_room * 2 + 1) * sizeof *d->contenders);
+    d->layers = malloc(((size_t)d->contender_room + 1) * sizeof *d->layers);
+    return d->contenders && d->layers ? 0 : -1;
 }

@@ -26,6 +26,11 @@
  * the model ends abruptly at n.s = 0, would change the colour there by more than 1/1000 code. In Gouraud shading n and
  * s are those of a corner, in flat shading those of the centroid.
  *
+ * REFERENCE_LAYER: a surface that lets light through may cover the pixel or not, or be in front of what else is there
+ * or not, by the same e and N; its one candidate is the range of all the colours that this may give. Layers are laid
+ * over each other in the order of their depths; where a renderer's order may differ is in <glint/scene.h>. What is said
+ * above of candidates is of the opaque surfaces.
+ *
  * Gouraud shading of a triangle that the near plane cuts: the polygon that remains (Sutherland-Hodgman, started at
  * corner 0) has at its new corners the colour that is linear in space between the old corners; it is divided into
  * a fan from its first corner, and the colour is linear on the screen in each part.
@@ -43,7 +48,7 @@
 #include <glint/scene.h>
 
 /* Bits of a pixel's mask. */
-enum { REFERENCE_EDGE = 1, REFERENCE_DEPTH = 2, REFERENCE_TERMINATOR = 4 };
+enum { REFERENCE_EDGE = 1, REFERENCE_DEPTH = 2, REFERENCE_TERMINATOR = 4, REFERENCE_LAYER = 8 };
 
 /* Zero fields mean the stated defaults; a negative one means zero. */
 typedef struct reference_options {
@@ -57,9 +62,10 @@ typedef struct reference_detail reference_detail;
 typedef struct reference_image {
     int width, height;
     double *rgb;              /* 3 a pixel, 0..1, rows from the top: L of the model, unrounded */
-    int32_t *triangle;        /* number in drawing order (over all objects), -1: background */
+    int32_t *triangle;        /* number in drawing order (over all objects), -1: background; the nearest one */
     double *depth;            /* Z in world units; 0 for the background */
     uint8_t *mask;            /* REFERENCE_EDGE ... ; 0: plain */
+    double *rounding;         /* codes by which the rounding of pixels seen through a surface may move this one */
     reference_detail *detail; /* what reference_candidates() needs */
 } reference_image;
 

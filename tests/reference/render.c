@@ -18,6 +18,7 @@ static void free_detail(reference_detail *d)
         free(d->first);
         free(d->meetings);
         free(d->contenders);
+        free(d->layers);
         free(d);
     }
 }
@@ -28,6 +29,7 @@ void reference_free(reference_image *image)
     free(image->triangle);
     free(image->depth);
     free(image->mask);
+    free(image->rounding);
     free_detail(image->detail);
     memset(image, 0, sizeof *image);
 }
@@ -43,13 +45,10 @@ static corner seen_at(const reference_detail *d, const contender *c, double x, d
     return c->inside && t->front ? meet_hit(d, t, x, y) : meet_nearest(t, x, y);
 }
 
-static void draw_pixel(reference_image *image, int x, int y)
+/* The surface that is seen, or the background. */
+static void draw_opaque(reference_image *image, int x, int y, size_t at, int front)
 {
     reference_detail *d = image->detail;
-    size_t at = (size_t)y * (size_t)image->width + (size_t)x;
-    int front;
-    bool background;
-    contest(d, x, y, &front, &image->mask[at], &background);
     if (front < 0) {
         image->triangle[at] = -1;
         memcpy(&image->rgb[at * 3], d->background, sizeof d->background);
@@ -61,8 +60,34 @@ static void draw_pixel(reference_image *image, int x, int y)
     image->triangle[at] = c->triangle;
     image->depth[at] = 1.0 / hit.inverse_z;
     shade_corner(d, t, &hit, &hit, -1, &image->rgb[at * 3]);
+    if (shade_wire(d, t, hit.x, hit.y) == WIRE_DOUBTFUL) {
+        image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_EDGE);
+    }
     if (shade_variants(d, t, &hit) > 1) {
         image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_TERMINATOR);
+    }
+}
+
+static void draw_pixel(reference_image *image, int x, int y)
+{
+    reference_detail *d = image->detail;
+    size_t at = (size_t)y * (size_t)image->width + (size_t)x;
+    int front;
+    bool background;
+    int opaque = contest(d, x, y, &front, &image->mask[at], &background);
+    draw_opaque(image, x, y, at, front);
+    if (!d->has_layers) {
+        return;
+    }
+    int count = layers_at(d, x, y, opaque, front, background, d->layers);
+    if (layers_show(d, d->layers, count, &image->rgb[at * 3], &image->rounding[at])) {
+        image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_LAYER);
+    }
+    for (int k = 0; k < count; k++) {
+        if (d->layers[k].there) {
+            image->triangle[at] = d->layers[k].surface.triangle;
+            image->depth[at] = 1.0 / d->layers[k].hit.inverse_z;
+        }
     }
 }
 
@@ -92,9 +117,10 @@ int reference_render_with(const glint_scene *scene, int width, int height, int s
     out->triangle = calloc(pixels, sizeof *out->triangle);
     out->depth = calloc(pixels, sizeof *out->depth);
     out->mask = calloc(pixels, sizeof *out->mask);
+    out->rounding = calloc(pixels, sizeof *out->rounding);
     out->detail = calloc(1, sizeof *out->detail);
     reference_detail *d = out->detail;
-    if (!out->rgb || !out->triangle || !out->depth || !out->mask || !d) {
+    if (!out->rgb || !out->triangle || !out->depth || !out->mask || !out->rounding || !d) {
         return fail(out, error, error_bytes, "no memory for the picture");
     }
     d->width = width;
@@ -135,7 +161,7 @@ static void widen(reference_candidate *c, const double rgb[3])
     }
 }
 
-/* All variants of one triangle at a pixel. */
+/* All variants of one triangle at a pixel, with its wire and without it where that is doubtful. */
 static int triangle_candidates(const reference_detail *d, const contender *c, int x, int y, reference_candidate *out,
                                int count, int max)
 {
@@ -143,27 +169,32 @@ static int triangle_candidates(const reference_detail *d, const contender *c, in
     corner region[MEET_REGION_MAX + 1], anchor = seen_at(d, c, x + 0.5, y + 0.5);
     int points = meet_region(d, t, x + 0.5, y + 0.5, region), variants = shade_variants(d, t, &anchor);
     region[points++] = anchor;
-    for (int v = 0; v < variants; v++, count++) {
+    wire_state wire = shade_wire(d, t, anchor.x, anchor.y);
+    for (int v = 0; v < variants * 2; v++) {
+        bool on = v >= variants;
+        if (wire != WIRE_DOUBTFUL && on != (wire == WIRE_ON)) {
+            continue;
+        }
         reference_candidate one = {c->triangle, {HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
         for (int k = 0; k < points; k++) {
-            double rgb[3];
-            shade_corner(d, t, &region[k], &anchor, variants > 1 ? v : -1, rgb);
+            double rgb[3], through;
+            shade_layer(d, t, &region[k], &anchor, variants > 1 ? v % variants : -1, on, rgb, &through);
             widen(&one, rgb);
         }
         if (count < max) {
             out[count] = one;
         }
+        count++;
     }
     return count;
 }
 
-int reference_candidates(const reference_image *image, int x, int y, reference_candidate *out, int max)
+/* The opaque surfaces, of which contest() has found so many. */
+static int opaque_candidates(const reference_image *image, int x, int y, int contenders, int front, bool background,
+                             reference_candidate *out, int max)
 {
-    reference_detail *d = image->detail;
-    int front, count = 0;
-    uint8_t mask;
-    bool background;
-    int contenders = contest(d, x, y, &front, &mask, &background);
+    const reference_detail *d = image->detail;
+    int count = 0;
     if (front >= 0) {
         count = triangle_candidates(d, &d->contenders[front], x, y, out, count, max);
     }
@@ -180,6 +211,30 @@ int reference_candidates(const reference_image *image, int x, int y, reference_c
         if (k != front && d->contenders[k].candidate) {
             count = triangle_candidates(d, &d->contenders[k], x, y, out, count, max);
         }
+    }
+    return count;
+}
+
+/* Opaque surfaces that are looked at behind layers. */
+#define BEHIND_MAX 64
+
+int reference_candidates(const reference_image *image, int x, int y, reference_candidate *out, int max)
+{
+    reference_detail *d = image->detail;
+    reference_candidate behind[BEHIND_MAX];
+    int front;
+    uint8_t mask;
+    bool background;
+    int opaque = contest(d, x, y, &front, &mask, &background);
+    int layers = d->has_layers ? layers_at(d, x, y, opaque, front, background, d->layers) : 0;
+    if (layers == 0) {
+        return opaque_candidates(image, x, y, opaque, front, background, out, max);
+    }
+    int count = opaque_candidates(image, x, y, opaque, front, background, behind, BEHIND_MAX);
+    for (int k = 0; k < count && k < BEHIND_MAX && k < max; k++) {
+        out[k] = behind[k];
+        out[k].triangle = image->triangle[(size_t)y * (size_t)image->width + (size_t)x];
+        layers_range(d, d->layers, layers, x, y, &out[k]);
     }
     return count;
 }

@@ -215,14 +215,61 @@ static void unfogged(const reference_detail *d, const triangle *t, const corner 
     shade_point(d, f, point, normal, lights, count, on, rgb);
 }
 
-void shade_corner(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
-                  double rgb[3])
+/* What is mirrored at the pixel instead of let through: (1 - |n.c|)^5. */
+static double mirrored(const reference_detail *d, const triangle *t, const corner *where)
 {
+    vector point, normal;
+    exact_point(t, where, &point, &normal);
+    normal = d->shading == GLINT_SHADING_EXACT ? normal : t->face;
+    double facing = length(normal) > 0.0 ? fabs(dot(normal, unit(minus(d->eye, point)))) : 1.0;
+    return pow(clamp01(1.0 - facing), 5.0);
+}
+
+/* Rounding moves an end of an edge by up to e, a point of its line beyond the ends by more; and the border is rounded
+ * by a sub-pixel over the edge's length in px. */
+wire_state shade_wire(const reference_detail *d, const triangle *t, double x, double y)
+{
+    double half = d->surfaces[t->object].wire_width / 2.0, e = d->options.edge_px;
+    bool doubtful = false;
+    for (int k = 0; half > 0.0 && k < t->corner_count; k++) {
+        const corner *a = &t->corners[k], *b = &t->corners[(k + 1) % t->corner_count];
+        double dx = b->x - a->x, dy = b->y - a->y, l = hypot(dx, dy);
+        if (t->label[k] == NEAR_EDGE || l == 0.0) {
+            continue;
+        }
+        double along = ((x - a->x) * dx + (y - a->y) * dy) / (l * l);
+        double distance = fabs(t->line[k][0] * x + t->line[k][1] * y + t->line[k][2]);
+        double border = e * (1.0 + 2.0 * fmax(0.0, fmax(-along, along - 1.0))) + 1.1 / 256.0 / l + e / 16.0;
+        if (distance < half - border) {
+            return WIRE_ON;
+        }
+        doubtful = doubtful || distance <= half + border;
+    }
+    return doubtful ? WIRE_DOUBTFUL : WIRE_OFF;
+}
+
+void shade_layer(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
+                 bool wire, double rgb[3], double *through)
+{
+    const surface *f = &d->surfaces[t->object];
     unfogged(d, t, where, anchor, variant, rgb);
+    double grazing = f->grazes ? f->transmission * mirrored(d, t, where) : 0.0;
+    *through = f->transmission - grazing;
+    for (int k = 0; k < 3; k++) {
+        rgb[k] = wire ? f->wire[k] : clamp01(rgb[k] + grazing * f->grazing[k]);
+    }
+    *through = wire ? 0.0 : *through;
     if (d->fog_end > d->fog_begin) {
         double fog = clamp01((1.0 / where->inverse_z - d->fog_begin) / (d->fog_end - d->fog_begin));
         for (int k = 0; k < 3; k++) {
-            rgb[k] = (1.0 - fog) * rgb[k] + fog * d->fog[k];
+            rgb[k] = (1.0 - fog) * rgb[k] + fog * (1.0 - *through) * d->fog[k];
         }
     }
+}
+
+void shade_corner(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
+                  double rgb[3])
+{
+    double through;
+    shade_layer(d, t, where, anchor, variant, shade_wire(d, t, where->x, where->y) == WIRE_ON, rgb, &through);
 }

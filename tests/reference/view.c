@@ -60,6 +60,19 @@ static void load_surface(surface *out, const glint_material *in, const glint_sce
     from_colour(in->mirror, out->mirror);
     out->sides = in->sides;
     from_colour(in->diffuse, out->diffuse);
+    out->transmission = in->transmission_q14 / Q14;
+    from_colour(in->grazing, out->grazing);
+    from_colour(in->wire, out->wire);
+    out->wire_width = in->wire_width_q4 / 16.0;
+    out->grazes = in->grazing.r_q14 != 0 || in->grazing.g_q14 != 0 || in->grazing.b_q14 != 0;
+    for (int k = 0; k < 3; k++) {
+        double body = 1.0 - out->transmission;
+        out->ambient[k] *= body;
+        out->sky[k] *= body;
+        out->ground[k] *= body;
+        out->diffuse[k] *= body;
+        out->emission[k] *= body;
+    }
     from_colour(in->specular, out->specular);
     out->exponent = in->exponent_q4 / 16.0;
     out->blinn = in->specular_model == GLINT_BLINN;
@@ -219,13 +232,13 @@ static void load_triangle(const reference_detail *d, triangle *t, const glint_me
     }
     /* The outward normal (of a mirrored triangle: the other way) points against the ray to the triangle. */
     t->front = height * place->handedness < 0.0 && length(t->face) > 0.0;
-    bool away = !t->front;
+    t->away = !t->front;
     int sides = d->surfaces[t->object].sides;
     t->front = t->front || (sides != GLINT_FRONT_SIDE && height != 0.0 && length(t->face) > 0.0);
-    for (int i = 0; i < 3 && away && sides == GLINT_TWO_SIDED; i++) {
+    for (int i = 0; i < 3 && t->away && sides == GLINT_TWO_SIDED; i++) {
         t->normal[i] = times(-1.0, t->normal[i]);
     }
-    if (away && sides == GLINT_TWO_SIDED) {
+    if (t->away && sides == GLINT_TWO_SIDED) {
         t->face = times(-1.0, t->face);
     }
     cut_at_near(d, t, p);
@@ -305,6 +318,7 @@ int view_load(reference_detail *d, const glint_scene *scene, char *error, size_t
     d->surface_count = scene->object_count;
     for (int i = 0; i < d->surface_count; i++) {
         load_surface(&d->surfaces[i], scene->objects[i].material, scene);
+        d->has_layers = d->has_layers || d->surfaces[i].transmission > 0.0;
         if (load_object(d, i, &scene->objects[i], error, error_bytes)) {
             return -1;
         }

@@ -28,10 +28,15 @@ typedef struct expected {
 
 /* The teapot's open ends: both ends of the handle and of the spout, each a ring of 2 * divisions edges. */
 static const expected meshes[] = {
-    {"sphere_10x6", &glint_mesh_sphere_10x6, 100, 0},   {"sphere_24x12", &glint_mesh_sphere_24x12, 528, 0},
-    {"sphere_32x16", &glint_mesh_sphere_32x16, 960, 0}, {"sphere_64x32", &glint_mesh_sphere_64x32, 3968, 0},
-    {"torus_knot", &glint_mesh_torus_knot, 2304, 0},    {"box", &glint_mesh_box, 12, 0},
-    {"teapot", &glint_mesh_teapot, 3648, 4 * 2 * 8},    {"teapot_small", &glint_mesh_teapot_small, 928, 4 * 2 * 4},
+    {"sphere_10x6", &glint_mesh_sphere_10x6, 100, 0},
+    {"sphere_24x12", &glint_mesh_sphere_24x12, 528, 0},
+    {"sphere_32x16", &glint_mesh_sphere_32x16, 960, 0},
+    {"sphere_64x32", &glint_mesh_sphere_64x32, 3968, 0},
+    {"torus_knot", &glint_mesh_torus_knot, 2304, 0},
+    {"box", &glint_mesh_box, 12, 0},
+    {"bowl", &glint_mesh_bowl, 480, 32},
+    {"teapot", &glint_mesh_teapot, 3648, 4 * 2 * 8},
+    {"teapot_small", &glint_mesh_teapot_small, 928, 4 * 2 * 4},
     {"plane", &glint_mesh_plane, 128, 4 * 8},
 };
 enum { MESH_COUNT = sizeof meshes / sizeof meshes[0] };

@@ -170,11 +170,11 @@ static void test_reasons(void **state)
     assert_int_equal(of_object.sky, GLINT_NO_COMMON_COLOUR);
     assert_int_equal(of_object.ground, GLINT_LIGHT_ZERO);
     assert_int_equal(of_object.emission, GLINT_NEEDED);
-    for (int reason = GLINT_NEEDED; reason <= GLINT_OUTSIDE_CONE; reason++) {
+    for (int reason = GLINT_NEEDED; reason <= GLINT_IN_FRONT; reason++) {
         assert_string_not_equal(glint_reason_text(reason), "unknown reason");
     }
     assert_string_equal(glint_reason_text(-1), "unknown reason");
-    assert_string_equal(glint_reason_text(GLINT_OUTSIDE_CONE + 1), "unknown reason");
+    assert_string_equal(glint_reason_text(GLINT_IN_FRONT + 1), "unknown reason");
 }
 
 int main(void)

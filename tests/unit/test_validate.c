@@ -243,6 +243,14 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(environment_side_4, set_mirror(w, 4), GLINT_ERROR_ENVIRONMENT_SIDE)                                              \
     X(environment_side_24, set_mirror(w, 24), GLINT_ERROR_ENVIRONMENT_SIDE)                                            \
     X(environment_side_255, (set_mirror(w, 255), w->b.material.mirror = board_grey(0)), GLINT_ERROR_ENVIRONMENT_SIDE)  \
+    X(transmission_above_one, w->b.material.transmission_q14 = 16385, GLINT_ERROR_TRANSMISSION)                        \
+    X(transmission_most, w->b.material.transmission_q14 = 65535, GLINT_ERROR_TRANSMISSION)                             \
+    X(grazing_high, w->b.material.grazing.b_q14 = 16385, GLINT_ERROR_GRAZING)                                          \
+    X(grazing_low, w->b.material.grazing.g_q14 = -1, GLINT_ERROR_GRAZING)                                              \
+    X(wire_wide, w->b.material.wire_width_q4 = 4097, GLINT_ERROR_WIRE)                                                 \
+    X(wire_widest, w->b.material.wire_width_q4 = 65535, GLINT_ERROR_WIRE)                                              \
+    X(wire_high, w->b.material.wire.r_q14 = 16385, GLINT_ERROR_WIRE)                                                   \
+    X(wire_low, w->b.material.wire.b_q14 = -1, GLINT_ERROR_WIRE)                                                       \
     X(sides_3, w->b.material.sides = GLINT_TWO_SIDED + 1, GLINT_ERROR_SIDES)                                           \
     X(spot_direction_0, (set_spot(w, 0, 16384), w->b.light[1].direction[2] = 0), GLINT_ERROR_LIGHT_DIRECTION)          \
     X(spot_position_high, (set_spot(w, 0, 16384), w->b.light[1].position_q16[1] = (1 << 30) + 1),                      \
@@ -558,8 +566,10 @@ static void expect_words_bound(const demo_scene *demo, const glint_display *d)
     uint32_t vertices = 0, triangles = 0, lights = 0, reaches = 0, mirrors = 0;
     for (uint16_t i = 0; i < scene->object_count; i++) {
         vertices += scene->objects[i].mesh->vertex_count;
-        triangles += scene->objects[i].mesh->triangle_count;
-        mirrors += scene->objects[i].material->mirror.r_q14 != 0;
+        const glint_material *material = scene->objects[i].material;
+        const bool twice = material->transmission_q14 != 0 && material->sides != GLINT_FRONT_SIDE;
+        triangles += scene->objects[i].mesh->triangle_count * (twice ? 2u : 1u);
+        mirrors += material->mirror.r_q14 != 0;
     }
     for (uint16_t i = 0; i < scene->light_count; i++) {
         const glint_light *light = &scene->lights[i];

@@ -25,6 +25,7 @@ typedef struct command {
 
 static const command commands[] = {
     {"sphere", 2, {{"SECTORS", 3}, {"STACKS", 2}}},
+    {"bowl", 2, {{"SECTORS", 3}, {"STACKS", 1}}},
     {"teapot", 1, {{"DIVISIONS", 4}}},
     {"torus-knot", 4, {{"P", 1}, {"Q", 1}, {"SEGMENTS", 3}, {"SIDES", 3}}},
     {"box", 0, {{NULL, 0}}},
@@ -84,6 +85,8 @@ static int make(const command *c, const int numbers[4], shape *mesh)
 {
     if (strcmp(c->name, "sphere") == 0) {
         shape_sphere(mesh, numbers[0], numbers[1]);
+    } else if (strcmp(c->name, "bowl") == 0) {
+        shape_bowl(mesh, numbers[0], numbers[1]);
     } else if (strcmp(c->name, "teapot") == 0) {
         shape_teapot(mesh, numbers[0]);
     } else if (strcmp(c->name, "torus-knot") == 0) {

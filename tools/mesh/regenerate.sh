@@ -27,6 +27,7 @@ mesh sphere_10x6 sphere 10 6
 mesh sphere_24x12 sphere 24 12
 mesh sphere_32x16 sphere 32 16
 mesh sphere_64x32 sphere 64 32
+mesh bowl bowl 32 8
 mesh teapot teapot 8
 mesh teapot_small teapot 4
 mesh torus_knot torus-knot 2 3 96 12

@@ -38,6 +38,7 @@ void shape_free(shape *mesh);
 
 /* Each adds one shape to `mesh`; see the files for axes and sizes. Arguments are checked by the caller. */
 void shape_sphere(shape *mesh, int sectors, int stacks);                   /* sectors >= 3, stacks >= 2 */
+void shape_bowl(shape *mesh, int sectors, int stacks);                     /* sectors >= 3, stacks >= 1 */
 void shape_teapot(shape *mesh, int divisions);                             /* divisions >= 4: the lip of the spout */
 void shape_torus_knot(shape *mesh, int p, int q, int segments, int sides); /* p, q >= 1 without common divisor */
 void shape_box(shape *mesh);
