@@ -6,6 +6,7 @@
 
 #include <glint/error.h>
 
+#include "backend/parts.h"
 #include "geometry/view.h"
 #include "number/integer.h"
 
@@ -153,7 +154,30 @@ int glint_validate_sizes(const glint_scene *scene, const glint_display *display)
     return check_display(display);
 }
 
-int glint_validate(const glint_scene *scene, const glint_display *display, const glint_quality *quality)
+static bool is_black(const glint_colour *colour)
+{
+    return (colour->r_q14 | colour->g_q14 | colour->b_q14) == 0;
+}
+
+/* Is there a part that a valid scene asks for and the backend has not? */
+static bool lacks_part(const glint_scene *scene, const glint_quality *quality, uint8_t parts)
+{
+    uint8_t asked = 0;
+    if (quality->tolerance != 0 || quality->shading >= GLINT_SHADING_Q1) {
+        asked |= PART_TIERS;
+    } else if (quality->shading != GLINT_SHADING_EXACT) {
+        asked |= PART_CORNERS;
+    }
+    for (uint16_t i = 0; i < scene->light_count; i++) {
+        asked = (uint8_t)(asked | (scene->lights[i].kind == GLINT_POINT ? PART_POINTS : 0));
+    }
+    for (uint16_t i = 0; i < scene->object_count; i++) {
+        asked = (uint8_t)(asked | (is_black(&scene->objects[i].material->specular) ? 0 : PART_SPECULAR));
+    }
+    return (asked & ~(uint32_t)parts) != 0;
+}
+
+int glint_validate(const glint_scene *scene, const glint_display *display, const glint_quality *quality, uint8_t parts)
 {
     int error = quality == NULL ? GLINT_ERROR_NULL_ARGUMENT : glint_validate_sizes(scene, display);
     if (error) {
@@ -185,5 +209,5 @@ int glint_validate(const glint_scene *scene, const glint_display *display, const
         error = error ? error : glint_place_check(&object->place);
         error = error ? error : check_indices(object->mesh);
     }
-    return error;
+    return error || !lacks_part(scene, quality, parts) ? error : GLINT_ERROR_PART;
 }
