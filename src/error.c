@@ -103,6 +103,8 @@ const char *glint_error_text(int error)
         return "the quality's shading is unknown";
     case GLINT_ERROR_TOLERANCE:
         return "the tolerance is below 0.75 codes, or asked for together with a shading";
+    case GLINT_ERROR_PART:
+        return "the scene asks for what this variant of the backend leaves out: call another";
     case GLINT_ERROR_MEMORY_SIZE:
         return "the memory is smaller than the least that the scene and display need";
     case GLINT_ERROR_MEMORY_ALIGNMENT:

@@ -6,6 +6,7 @@
 
 #include <glint/error.h>
 
+#include "backend/parts.h"
 #include "geometry/view.h"
 #include "lighting/source.h"
 #include "number/integer.h"
@@ -242,7 +243,50 @@ int glint_validate_sizes(const glint_scene *scene, const glint_display *display)
     return check_display(display);
 }
 
-int glint_validate(const glint_scene *scene, const glint_display *display, const glint_quality *quality)
+static bool is_black(const glint_colour *colour)
+{
+    return (colour->r_q14 | colour->g_q14 | colour->b_q14) == 0;
+}
+
+static uint32_t parts_of_light(const glint_light *light)
+{
+    const glint_attenuation *a = &light->attenuation;
+    if (light->kind == GLINT_DIRECTIONAL) {
+        return 0;
+    }
+    const bool attenuated = a->range_q16 != 0 || (a->k_q14[0] | a->k_q14[1] | a->k_q14[2]) != 0;
+    return PART_POINTS | (attenuated || light->kind == GLINT_SPOT ? PART_REACH : 0) |
+           (light->kind == GLINT_PANEL || light->kind == GLINT_BALL ? PART_EXTENTS : 0);
+}
+
+static uint32_t parts_of_material(const glint_material *material)
+{
+    return (is_black(&material->specular) ? 0 : PART_SPECULAR) | (is_black(&material->mirror) ? 0 : PART_MIRRORS) |
+           (material->sides == GLINT_FRONT_SIDE ? 0 : PART_SIDES) |
+           (material->transmission_q14 == 0 && material->wire_width_q4 == 0 ? 0 : PART_FINISH);
+}
+
+/* Is there a part that a valid scene asks for and the backend has not? */
+static bool lacks_part(const glint_scene *scene, const glint_quality *quality, uint32_t parts)
+{
+    uint32_t asked = 0;
+    if (quality->tolerance != 0 || quality->shading >= GLINT_SHADING_Q1) {
+        asked |= PART_TIERS;
+    } else if (quality->shading != GLINT_SHADING_EXACT) {
+        asked |= PART_CORNERS;
+    }
+    asked |= is_black(&scene->sky) && is_black(&scene->ground) ? 0 : PART_SKY;
+    asked |= (scene->fog.begin_q16 | scene->fog.end_q16) == 0 ? 0 : PART_FINISH;
+    for (uint16_t i = 0; i < scene->light_count; i++) {
+        asked |= parts_of_light(&scene->lights[i]);
+    }
+    for (uint16_t i = 0; i < scene->object_count; i++) {
+        asked |= parts_of_material(scene->objects[i].material);
+    }
+    return (asked & ~parts) != 0;
+}
+
+int glint_validate(const glint_scene *scene, const glint_display *display, const glint_quality *quality, uint32_t parts)
 {
     int error = quality == NULL ? GLINT_ERROR_NULL_ARGUMENT : glint_validate_sizes(scene, display);
     if (error) {
@@ -277,5 +321,5 @@ int glint_validate(const glint_scene *scene, const glint_display *display, const
         error = error ? error : glint_place_check(&object->place);
         error = error ? error : check_indices(object->mesh);
     }
-    return error;
+    return error || !lacks_part(scene, quality, parts) ? error : GLINT_ERROR_PART;
 }

@@ -38,6 +38,23 @@ int glint_fixed_render(const glint_scene *scene, const glint_display *display, c
 size_t glint_fixed_memory_bytes(const glint_scene *scene, const glint_display *display);
 size_t glint_fixed_memory_least_bytes(const glint_scene *scene, const glint_display *display);
 
+/*
+ * Variants for programs that have little flash: the same functions, the same pictures, of fewer parts. A scene that
+ * asks for more is refused with GLINT_ERROR_PART. The linker takes the variants that a program calls, and no others.
+ *
+ *   glint_fixed_phong_    exact shading at each pixel: no tolerance, no q1 and q2, no Gouraud and flat shading
+ *   glint_fixed_diffuse_  of these, only ambient and diffuse terms, only directional lights
+ */
+int glint_fixed_phong_render(const glint_scene *scene, const glint_display *display, const glint_quality *quality,
+                             void *memory, size_t memory_bytes, glint_report *report);
+size_t glint_fixed_phong_memory_bytes(const glint_scene *scene, const glint_display *display);
+size_t glint_fixed_phong_memory_least_bytes(const glint_scene *scene, const glint_display *display);
+
+int glint_fixed_diffuse_render(const glint_scene *scene, const glint_display *display, const glint_quality *quality,
+                               void *memory, size_t memory_bytes, glint_report *report);
+size_t glint_fixed_diffuse_memory_bytes(const glint_scene *scene, const glint_display *display);
+size_t glint_fixed_diffuse_memory_least_bytes(const glint_scene *scene, const glint_display *display);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,56 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The fixed backend: the pipeline's bodies with fixed operations.
+ * The fixed backend with all its parts.
  */
-#include <glint/fixed.h>
+#define BACKEND_PARTS PARTS_ALL
+#define BACKEND_NAME(name) glint_fixed_##name
 
-#include <stddef.h>
-#include <string.h>
-
-#include <glint/error.h>
-#include <glint/memory.h>
-#include <glint/plan.h>
-
-#include "display/flush.h"
-#include "display/layer.h"
-#include "effects/pixel.h"
-#include "geometry/vertex_fixed.h"
-#include "lighting/gloss_fixed.h"
-#include "lighting/mirror_fixed.h"
-#include "lighting/reach_fixed.h"
-#include "memory.h"
-#include "raster/attribute_fixed.h"
-#include "raster/bands.h"
-#include "raster/depth.h"
-#include "raster/units_fixed.h"
-#include "validate.h"
-
-#include "lighting/terms.inc"
-
-#include "geometry/object.inc"
-
-#include "geometry/clip.inc"
-
-#include "lighting/tier.inc"
-
-#include "lighting/shade.inc"
-
-#include "lighting/span.inc"
-
-#include "render.inc"
-
-int glint_fixed_render(const glint_scene *scene, const glint_display *display, const glint_quality *quality,
-                       void *memory, size_t memory_bytes, glint_report *report)
-{
-    return render(scene, display, quality, memory, memory_bytes, report);
-}
-
-size_t glint_fixed_memory_bytes(const glint_scene *scene, const glint_display *display)
-{
-    return memory_size(scene, display, false);
-}
-
-size_t glint_fixed_memory_least_bytes(const glint_scene *scene, const glint_display *display)
-{
-    return memory_size(scene, display, true);
-}
+#include "backend/fixed.inc"

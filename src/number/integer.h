@@ -135,6 +135,13 @@ int32_t glint_multiply_high_s32(int32_t a, int32_t b);
 #define GLINT_SPECIALISED
 #endif
 
+/* A function whose result is a constant in some builds, for which what depends on it is to be left out. */
+#if defined __GNUC__
+#define GLINT_FOLDED inline __attribute__((always_inline))
+#else
+#define GLINT_FOLDED inline
+#endif
+
 /* A function that is kept apart: within its caller, its loops would share the registers with all that is alive there.
  */
 #if defined __GNUC__

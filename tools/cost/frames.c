@@ -50,7 +50,7 @@ static size_t kept_bytes(const glint_scene *scene)
     while (root * root < triangles) {
         root++;
     }
-    return root * GLINT_KEPT_WORDS * sizeof(uint32_t);
+    return (size_t)root * GLINT_KEPT_WORDS * sizeof(uint32_t);
 }
 
 size_t cost_frame_full_bytes(const cost_case *c, int backend, uint8_t format)

@@ -1,0 +1,8 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The float backend with exact shading at each pixel alone.
+ */
+#define BACKEND_PARTS (PART_SPECULAR | PART_POINTS)
+#define BACKEND_NAME(name) glint_float_phong_##name
+
+#include "backend/float.inc"

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The fixed backend without the parts that a processor of little flash has no room for beside a test program: it takes
+ * the place of the library's own. SMALL_PARTS from the command line says which it has.
+ */
+#include "backend/parts.h"
+
+#ifndef SMALL_PARTS
+#define SMALL_PARTS (PART_SPECULAR | PART_POINTS | PART_CORNERS | PART_TIERS)
+#endif
+#undef BACKEND_PARTS
+#define BACKEND_PARTS SMALL_PARTS
+#define BACKEND_NAME(name) glint_fixed_##name
+
+#include "backend/fixed.inc"
