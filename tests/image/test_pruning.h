@@ -70,6 +70,7 @@ static void compare(tally *t, const char *name, const glint_scene *scene, uint16
         for (uint16_t k = 0; k < scene->light_count; k++) {
             glint_light_plan plan;
             (glint_plan_light)(scene, i, &of_object, k, &plan);
+            /* cppcheck-suppress uninitvar ; set here */
             t->terms_left_out += plan.diffuse != GLINT_NEEDED;
             t->terms_left_out += plan.specular != GLINT_NEEDED;
         }
