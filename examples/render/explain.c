@@ -74,9 +74,9 @@ static void explain_counts(FILE *file, const glint_report *report)
 {
     fprintf(file, "frame: %lu of %lu triangles drawn, %lu pixels shaded\n", (unsigned long)report->triangles_drawn,
             (unsigned long)report->triangles, (unsigned long)report->pixels_shaded);
-    for (uint8_t tier = 0; tier < GLINT_TIERS; tier++) {
+    for (int tier = 0; tier < GLINT_TIERS; tier++) {
         if (report->tier_triangles[tier] > 0) {
-            fprintf(file, "  %-8s %8lu triangles %8lu pixels\n", options_tier_word(tier),
+            fprintf(file, "  %-8s %8lu triangles %8lu pixels\n", options_tier_word((uint8_t)tier),
                     (unsigned long)report->tier_triangles[tier], (unsigned long)report->tier_pixels[tier]);
         }
     }

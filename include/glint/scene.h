@@ -189,9 +189,10 @@ typedef struct glint_attenuation {
  */
 typedef struct glint_light {
     uint8_t kind;
-    int16_t direction[3];          /* directional, spot: the way the light travels (s = -direction); any length but 0 */
-    int32_t position_q16[3];       /* all others: world position, Q16; |position_q16| <= 2^30 */
-    glint_colour colour;           /* intensity in Q14: 0..1.99994, diffuse and specular alike */
+    uint8_t samples;         /* panel, ball: the greatest number of point lights that may stand for it, 1..64; 0: 16 */
+    int16_t direction[3];    /* directional, spot: the way the light travels (s = -direction); any length but 0 */
+    int32_t position_q16[3]; /* all others: world position, Q16; |position_q16| <= 2^30 */
+    glint_colour colour;     /* intensity in Q14: 0..1.99994, diffuse and specular alike */
     glint_attenuation attenuation; /* all but directional; zero: none */
     /* spot: half the angle of the cones, 1/65536 turn: 0 <= inner < outer <= 16384 (90 degrees), and the two at least
      * 182 (1 degree) apart */
@@ -199,7 +200,6 @@ typedef struct glint_light {
     int32_t edge_q16[2][3]; /* panel: half of each edge as a vector, Q16 world units; position and both together within
                              * 2^30 in each coordinate */
     int32_t radius_q16;     /* ball: not negative; position and radius within 2^30 in each coordinate */
-    uint8_t samples;        /* panel, ball: the greatest number of point lights that may stand for it, 1..64; 0: 16 */
 } glint_light;
 
 #define GLINT_MAX_SAMPLES 64

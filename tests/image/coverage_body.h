@@ -60,7 +60,7 @@ static void check_object(frame_state *state, const object_state *object)
     for (uint16_t t = 0; t < object->mesh->triangle_count; t++) {
         triangle_corners corners;
         corner polygon[CLIP_MOST];
-        triangle_extent extent;
+        triangle_extent extent = {.clipped = false};
         real attribute[3][3] = {{0}};
         const enum triangle_fate drawn = do_triangle(state, object, t, false, &extent);
         if (drawn != TRIANGLE_DRAWN && drawn != TRIANGLE_OTHER_PASS) {

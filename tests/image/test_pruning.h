@@ -55,9 +55,9 @@ typedef struct tally {
 
 static void compare(tally *t, const char *name, const glint_scene *scene, uint16_t width_px, uint16_t height_px)
 {
-    for (uint8_t shading = GLINT_SHADING_EXACT; shading <= GLINT_SHADING_FLAT; shading++) {
-        draw_with(PRUNING_RENDER, scene, width_px, height_px, shading, &t->planned);
-        draw_with(PRUNING_FULL, scene, width_px, height_px, shading, &t->full);
+    for (int shading = GLINT_SHADING_EXACT; shading <= GLINT_SHADING_FLAT; shading++) {
+        draw_with(PRUNING_RENDER, scene, width_px, height_px, (uint8_t)shading, &t->planned);
+        draw_with(PRUNING_FULL, scene, width_px, height_px, (uint8_t)shading, &t->full);
         t->frames++;
         if (t->planned.used != t->full.used || memcmp(t->planned.pixels, t->full.pixels, t->full.used) != 0) {
             printf("%s, shading %d: pictures differ\n", name, shading);

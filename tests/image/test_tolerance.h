@@ -47,9 +47,9 @@
  */
 
 typedef struct observed_pixel {
-    uint16_t promise_q8; /* UINT16_MAX: none */
     double behind;       /* codes: what the promises of what shows through let it be off besides */
     double coarse;       /* how often the format's rounding counts, at most */
+    uint16_t promise_q8; /* UINT16_MAX: none */
     bool bent;           /* two corner normals are more than BENT_LEAST apart; where there is no promise */
     uint8_t tier;        /* GLINT_TIERS: none, the background */
 } observed_pixel;

@@ -6,7 +6,7 @@
 #include "backend/parts.h"
 
 #ifndef SMALL_PARTS
-#define SMALL_PARTS (PART_SPECULAR | PART_POINTS | PART_CORNERS | PART_TIERS)
+#define SMALL_PARTS (PARTS_ALL & ~PART_TIERS)
 #endif
 #undef BACKEND_PARTS
 #define BACKEND_PARTS SMALL_PARTS

@@ -46,7 +46,7 @@ target-scenes: $(SCENES)
 	@:
 
 # Size programs: PROCESSOR-BACKEND for each pair below.
-SIZE_PROGRAMS := m0plus-fixed m0plus-fixed_phong m0plus-fixed_diffuse m0plus-float m4f-fixed m4f-float m4f-float_phong avr-fixed \
+SIZE_PROGRAMS := m0plus-fixed m0plus-fixed_phong m0plus-fixed_diffuse m0plus-float m4f-fixed m4f-float m4f-float_phong \
 	avr-fixed_phong avr-fixed_diffuse
 size_target = $(firstword $(subst -, ,$(1)))
 size_backend = $(lastword $(subst -, ,$(1)))
