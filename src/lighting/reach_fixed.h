@@ -101,7 +101,7 @@ static inline glint_far reach_distance(const surface *at, const real v[3], int f
     int32_t along = 0;
     for (int k = 0; k < 3; k++) {
         const int32_t fine = up >= 0 ? (int32_t)((uint32_t)v[k] << up) : v[k] >> 1;
-        along += multiply_high_s32(fine, towards[k] * (1 << 15)); /* |.| <= 2^28 in all */
+        along += multiply_high_s32(fine, towards[k] * ((int32_t)1 << 15)); /* |.| <= 2^28 in all */
     }
     /* (|s|^2 - 1) / 2, below 2^-13 */
     const uint32_t square_q30 =
