@@ -5,6 +5,7 @@
  *     objects   one state an object            always
  *     lights    one state an object and light  always
  *     reaches   one for each of these lights that is a spot light or attenuated
+ *     texture   one, where an object has a texture
  *     buffers   one or two bands of pixels     always
  *     depth     16 bits a pixel of a band      always
  *     bands     2 bytes a band and a triangle  where there is room, more than one band, fewer than 65,535 triangles
@@ -24,6 +25,7 @@ typedef struct glint_needs {
     uint32_t stride; /* bytes from row to row (page to page) */
     uint16_t band_px, band_count;
     uint16_t reach_count; /* spot lights and attenuated ones */
+    uint32_t texture;     /* with 4 to spare, for an alignment of 8 */
     uint64_t objects, lights, reaches, buffers, depth, bands, vertices;
     uint32_t triangle_count;
     uint64_t least; /* without bands and vertices */
@@ -32,7 +34,7 @@ typedef struct glint_needs {
 
 /* Of one of each, in a backend. */
 typedef struct glint_state_bytes {
-    uint16_t object, light, reach;
+    uint16_t object, light, reach, texture;
 } glint_state_bytes;
 
 /* Scene and display have passed glint_validate_sizes(). */

@@ -51,6 +51,7 @@ static void explain_object(FILE *file, const glint_scene *scene, uint16_t number
     explain_term(file, "sky", plan.sky);
     explain_term(file, "ground", plan.ground);
     explain_term(file, "emission", plan.emission);
+    explain_term(file, "texture", plan.texture);
     for (uint16_t i = 0; i < scene->light_count; i++) {
         lights += explain_light(file, scene, number, &plan, i);
     }

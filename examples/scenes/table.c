@@ -18,6 +18,8 @@ const demo_scene demo_scenes[] = {
     {"spots", "Two spot lights and a lamp of short range on a stage", &demo_spots, 320, 240},
     {"open-sky", "The stage in the open: sun, sky and ground", &demo_open_sky, 320, 240},
     {"lanterns", "Lanterns that emit light, which falls off with distance", &demo_lanterns, 320, 240},
+    {"tiles", "A tiled floor in strong perspective, and a wooden wall", &demo_tiles, 320, 240},
+    {"globe", "A planet, bilinearly filtered", &demo_globe, 240, 240},
     {"ambient-ratio", "Ambient to diffuse ratio growing to the right", &demo_ambient_ratio, 320, 80},
     {"specular-grid", "Specular share growing downwards, exponent to the right", &demo_specular_grid, 320, 240},
     {"ambient-only", "A still life in ambient light", &demo_ambient_only, 320, 240},

@@ -68,6 +68,16 @@ typedef enum glint_error {
     GLINT_ERROR_SHADING = -66,         /* unknown shading */
     GLINT_ERROR_TOLERANCE = -67,       /* below GLINT_LEAST_TOLERANCE, or together with a shading */
 
+    /* texture of a material */
+    GLINT_ERROR_TEXTURE_SIZE = -90, /* width or height 0 or above GLINT_MAX_TEXTURE_PX, or more than memory can hold */
+    GLINT_ERROR_TEXTURE_TEXELS = -91,    /* NULL */
+    GLINT_ERROR_TEXTURE_PALETTE = -92,   /* NULL, without a colour, or with more than GLINT_MAX_PALETTE */
+    GLINT_ERROR_TEXTURE_FORMAT = -93,    /* unknown */
+    GLINT_ERROR_TEXTURE_FILTER = -94,    /* unknown */
+    GLINT_ERROR_TEXTURE_WRAP = -95,      /* unknown */
+    GLINT_ERROR_TEXTURE_TEXCOORDS = -96, /* the mesh has no texcoords */
+    GLINT_ERROR_TEXCOORD_BITS = -97,     /* the mesh's texcoord_bits out of range */
+
     /* memory */
     GLINT_ERROR_MEMORY_SIZE = -70,     /* less than glint_*_memory_least_bytes() */
     GLINT_ERROR_MEMORY_ALIGNMENT = -71 /* not aligned like a uint32_t */

@@ -14,6 +14,9 @@
 /* And of a spot light or an attenuated one for each object, beside that. */
 #define GLINT_REACH_BYTES 72
 
+/* And of a texture: once, if any material has one. */
+#define GLINT_TEXTURE_BYTES 560
+
 /* With a tolerance, this many words more for each object let its material keep a ramp of pixels (RGB565 without dither)
  * and a table of its highlight: faster, the same image. */
 #define GLINT_RAMP_WORDS 769

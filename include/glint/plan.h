@@ -25,7 +25,8 @@ typedef enum glint_reason {
     GLINT_LIGHT_ZERO = 2,       /* the light, or the scene's ambient light, is black */
     GLINT_NO_COMMON_COLOUR = 3, /* neither is black, but no channel has both: a blue light on a red surface */
     GLINT_OUT_OF_RANGE = 4,     /* the whole object is at least the light's range away from it */
-    GLINT_OUTSIDE_CONE = 5      /* the whole object is outside of the spot light's outer cone */
+    GLINT_OUTSIDE_CONE = 5,     /* the whole object is outside of the spot light's outer cone */
+    GLINT_NOTHING_TO_COLOUR = 6 /* the texture has neither ambient nor diffuse light to multiply */
 } glint_reason;
 
 /* A sentence in English, never NULL. */
@@ -38,6 +39,7 @@ typedef struct glint_bounds {
 
 typedef struct glint_object_plan {
     uint8_t ambient, sky, ground, emission; /* glint_reason of each term that no light is needed for */
+    uint8_t texture;                        /* glint_reason of the factor T of ambient and diffuse terms */
     bool needs_bounds;                      /* some light may be too far away */
     glint_bounds bounds;                    /* only where needs_bounds */
 } glint_object_plan;

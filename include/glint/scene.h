@@ -31,6 +31,8 @@
  * a_j(d)     attenuation with the distance d from a point or spot light, see glint_light
  * b_j(s)     the cone of a spot light, see glint_light
  * f          fog by the depth Z along the view direction, see glint_fog
+ *
+ * r_a and r_d may vary over the surface by a texture, see <glint/texture.h>.
  */
 #ifndef GLINT_SCENE_H
 #define GLINT_SCENE_H
@@ -39,6 +41,7 @@
 
 #include <glint/config.h>
 #include <glint/mesh.h>
+#include <glint/texture.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -74,13 +77,14 @@ enum {
 
 /* What a surface does with light. Reflectances are 0..1 (16384) in each channel. */
 typedef struct glint_material {
-    glint_colour ambient;   /* r_a */
-    glint_colour diffuse;   /* r_d */
-    glint_colour specular;  /* r_s */
-    uint16_t exponent_q4;   /* alpha in sixteenths: 0..GLINT_MAX_EXPONENT * 16; 32 is written 32 * 16 */
-    uint8_t specular_model; /* GLINT_PHONG (default) or GLINT_BLINN */
-    uint8_t sides;          /* GLINT_FRONT_SIDE (default) ... */
-    glint_colour emission;  /* e: light that the surface sends out whatever falls on it, 0..1 */
+    glint_colour ambient;         /* r_a */
+    glint_colour diffuse;         /* r_d */
+    glint_colour specular;        /* r_s */
+    uint16_t exponent_q4;         /* alpha in sixteenths: 0..GLINT_MAX_EXPONENT * 16; 32 is written 32 * 16 */
+    uint8_t specular_model;       /* GLINT_PHONG (default) or GLINT_BLINN */
+    uint8_t sides;                /* GLINT_FRONT_SIDE (default) ... */
+    glint_colour emission;        /* e: light that the surface sends out whatever falls on it, 0..1 */
+    const glint_texture *texture; /* T, by which r_a and r_d are multiplied, see <glint/texture.h>; NULL: none */
 } glint_material;
 
 /*

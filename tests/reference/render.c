@@ -8,9 +8,15 @@
 
 #include "internal.h"
 
+/* A texture's colour that changes the pixel by more than this is contested: see reference.h. */
+#define TEXEL_CODES 0.25
+
 static void free_detail(reference_detail *d)
 {
     if (d) {
+        for (int i = 0; d->surfaces && i < d->surface_count; i++) {
+            free(d->surfaces[i].texture.rgb);
+        }
         free(d->triangles);
         free(d->surfaces);
         free(d->lamps);
@@ -42,6 +48,24 @@ static corner seen_at(const reference_detail *d, const contender *c, double x, d
     return c->inside && t->front ? meet_hit(d, t, x, y) : meet_nearest(t, x, y);
 }
 
+/* Does the texture's colour there depend on how vertices and texture coordinates are rounded? */
+static bool contested_texel(const reference_detail *d, const triangle *t, const corner *hit)
+{
+    corner region[MEET_REGION_MAX + 1];
+    double least[3], most[3], low[3], high[3], apart = 0.0;
+    int count = meet_region(t, hit->x, hit->y, d->options.texel_px, region);
+    region[count++] = *hit;
+    if (!shade_texels(d, t, region, count, least, most)) {
+        return false;
+    }
+    shade_corner(d, t, hit, hit, -1, least, low);
+    shade_corner(d, t, hit, hit, -1, most, high);
+    for (int k = 0; k < 3; k++) {
+        apart = fmax(apart, high[k] - low[k]);
+    }
+    return apart > TEXEL_CODES / 255.0;
+}
+
 static void draw_pixel(reference_image *image, int x, int y)
 {
     reference_detail *d = image->detail;
@@ -59,7 +83,10 @@ static void draw_pixel(reference_image *image, int x, int y)
     corner hit = seen_at(d, c, x + 0.5, y + 0.5);
     image->triangle[at] = c->triangle;
     image->depth[at] = 1.0 / hit.inverse_z;
-    shade_corner(d, t, &hit, &hit, -1, &image->rgb[at * 3]);
+    shade_corner(d, t, &hit, &hit, -1, NULL, &image->rgb[at * 3]);
+    if (contested_texel(d, t, &hit)) {
+        image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_TEXEL);
+    }
     if (shade_variants(d, t, &hit) > 1) {
         image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_TERMINATOR);
     }
@@ -102,6 +129,8 @@ int reference_render_with(const glint_scene *scene, int width, int height, int s
     d->options.edge_px = option(options ? options->edge_px : 0.0, 1.0 / 256.0);
     d->options.depth_steps = option(options ? options->depth_steps : 0.0, 2.0);
     d->options.terminator = option(options ? options->terminator : 0.0, 1e-4);
+    d->options.texel_px = option(options ? options->texel_px : 0.0, 1.0 / 4096.0);
+    d->options.texels = option(options ? options->texels : 0.0, 1.0 / 1024.0);
 
     if (view_load(d, scene, error, error_bytes)) {
         return fail(out, error, error_bytes, NULL);
@@ -140,14 +169,19 @@ static int triangle_candidates(const reference_detail *d, const contender *c, in
 {
     const triangle *t = &d->triangles[c->triangle];
     corner region[MEET_REGION_MAX + 1], anchor = seen_at(d, c, x + 0.5, y + 0.5);
-    int points = meet_region(d, t, x + 0.5, y + 0.5, region), variants = shade_variants(d, t, &anchor);
+    int points = meet_region(t, x + 0.5, y + 0.5, d->options.edge_px, region), variants = shade_variants(d, t, &anchor);
+    double texel[2][3];
     region[points++] = anchor;
+    bool textured = shade_texels(d, t, region, points, texel[0], texel[1]);
     for (int v = 0; v < variants; v++, count++) {
         reference_candidate one = {c->triangle, {HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
         for (int k = 0; k < points; k++) {
-            double rgb[3];
-            shade_corner(d, t, &region[k], &anchor, variants > 1 ? v : -1, rgb);
-            widen(&one, rgb);
+            /* more of each channel of the texture is more of the pixel */
+            for (int m = 0; m <= textured; m++) {
+                double rgb[3];
+                shade_corner(d, t, &region[k], &anchor, variants > 1 ? v : -1, textured ? texel[m] : NULL, rgb);
+                widen(&one, rgb);
+            }
         }
         if (count < max) {
             out[count] = one;
