@@ -9,7 +9,7 @@ static const glint_camera hall_camera = {
     .eye_q16 = POINT(0, 2600, 6500),
     .target_q16 = POINT(0, 700, 0),
     .field_of_view_turn16 = DEGREES_TURN16(50),
-    .near_q16 = MILLI_Q16(1000),
+    .near_q16 = MILLI_Q16(3000),
 };
 
 /* The texture multiplies what the floor reflects, not the highlights of the lamps on it. */

@@ -153,8 +153,8 @@ static inline uint32_t reach_window_q15(const light_reach *reach, glint_far dist
     if (u_q16 >= 65536) {
         return 0;
     }
-    const uint32_t square_q16 = (u_q16 * u_q16 + (1 << 15)) >> 16; /* 65535 at most */
-    const uint32_t rest_q32 = 0u - square_q16 * square_q16;        /* modulo 2^32: for a square of 0 it is 0 */
+    const uint32_t square_q16 = (u_q16 * u_q16 + ((uint32_t)1 << 15)) >> 16; /* 65535 at most */
+    const uint32_t rest_q32 = 0u - square_q16 * square_q16; /* modulo 2^32: for a square of 0 it is 0 */
     return square_q16 < 64 ? 32768 : ((rest_q32 >> 16) + 1) >> 1;
 }
 

@@ -26,7 +26,7 @@
  * the model ends abruptly at n.s = 0, would change the colour there by more than 1/1000 code. In Gouraud shading n and
  * s are those of a corner, in flat shading those of the centroid.
  * REFERENCE_TEXEL: the texture's colours within options.texel_px of the centre, which vertices are rounded by, and
- * within options.texels along u and v of those, change the pixel by more than 1/4 code: on the edge between two texels
+ * within options.texels along u and v of those, change the pixel by more than 0.3 code: on the edge between two texels
  * (nearest), or in a steep or far reduced picture (bilinear). A candidate's texture is that of all points within e.
  *
  * Flat and Gouraud shading of a textured surface: the part that the texture multiplies and the rest are lit at the
@@ -57,7 +57,7 @@ typedef struct reference_options {
     double depth_steps; /* N: default 2 */
     double terminator;  /* default 1e-4 */
     double texel_px;    /* default 1/4096 px */
-    double texels;      /* default 1/1024 texel */
+    double texels;      /* default 1/2048 texel */
 } reference_options;
 
 typedef struct reference_detail reference_detail;

@@ -9,7 +9,7 @@
 #include "internal.h"
 
 /* A texture's colour that changes the pixel by more than this is contested: see reference.h. */
-#define TEXEL_CODES 0.25
+#define TEXEL_CODES 0.3
 
 static void free_detail(reference_detail *d)
 {
@@ -130,7 +130,7 @@ int reference_render_with(const glint_scene *scene, int width, int height, int s
     d->options.depth_steps = option(options ? options->depth_steps : 0.0, 2.0);
     d->options.terminator = option(options ? options->terminator : 0.0, 1e-4);
     d->options.texel_px = option(options ? options->texel_px : 0.0, 1.0 / 4096.0);
-    d->options.texels = option(options ? options->texels : 0.0, 1.0 / 1024.0);
+    d->options.texels = option(options ? options->texels : 0.0, 1.0 / 2048.0);
 
     if (view_load(d, scene, error, error_bytes)) {
         return fail(out, error, error_bytes, NULL);
