@@ -57,7 +57,7 @@ typedef struct reference_options {
     double depth_steps; /* N: default 2 */
     double terminator;  /* default 1e-4 */
     double texel_px;    /* default 1/4096 px */
-    double texels;      /* default 1/2048 texel */
+    double texels;      /* default 1/4096 texel */
 } reference_options;
 
 typedef struct reference_detail reference_detail;

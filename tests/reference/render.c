@@ -130,7 +130,7 @@ int reference_render_with(const glint_scene *scene, int width, int height, int s
     d->options.depth_steps = option(options ? options->depth_steps : 0.0, 2.0);
     d->options.terminator = option(options ? options->terminator : 0.0, 1e-4);
     d->options.texel_px = option(options ? options->texel_px : 0.0, 1.0 / 4096.0);
-    d->options.texels = option(options ? options->texels : 0.0, 1.0 / 2048.0);
+    d->options.texels = option(options ? options->texels : 0.0, 1.0 / 4096.0);
 
     if (view_load(d, scene, error, error_bytes)) {
         return fail(out, error, error_bytes, NULL);
