@@ -16,8 +16,8 @@
 #define GLINT_REACH_BYTES 72
 #define GLINT_REACH_WORDS (GLINT_REACH_BYTES / 4)
 
-/* And of a texture: once, if any material has one. */
-#define GLINT_TEXTURE_BYTES 560
+/* And this many words more once, if any material has a texture. */
+#define GLINT_TEXTURE_WORDS 120
 
 /* With a tolerance, this many words more for each object let its material keep a ramp of pixels (RGB565 without dither)
  * and a table of its highlight: faster, the same image. */

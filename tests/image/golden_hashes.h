@@ -23,6 +23,8 @@ static const struct {
     {"spots", {0x10655a144a80dcaf, 0x4c186d7a7c725961, 0xaaf3e70cd07beeda, 0x10655a144a80dcaf, 0x10655a144a80dcaf, 0x10655a144a80dcaf}},
     {"open-sky", {0x040b994190ab992d, 0x382571208b69b0e7, 0x4785ccc38e5d8d7d, 0x040b994190ab992d, 0x040b994190ab992d, 0x040b994190ab992d}},
     {"lanterns", {0xbe4ec873c9b7067c, 0x7a220a5fa185eb57, 0xa9aa45b507693f02, 0xbe4ec873c9b7067c, 0xbe4ec873c9b7067c, 0xbe4ec873c9b7067c}},
+    {"tiles", {0xd4b594251e82296b, 0xa3c34d844413740e, 0x56f338789f096465, 0xf083f371bbcc20da, 0x770c3164bdbaad13, 0xd19aa0032b2a15c0}},
+    {"globe", {0x0f02fc529ba874cf, 0x61b18bccd21df99c, 0x80b6b721416b4db6, 0x0f02fc529ba874cf, 0x0f02fc529ba874cf, 0x0f02fc529ba874cf}},
     {"ambient-ratio", {0xbac51f909dea2057, 0x2d2a0838cfe173be, 0x78a3d09c9c547539, 0xc104d8f6e035b1b6, 0x32a13b5639996118, 0xcfca9219044f9bd0}},
     {"specular-grid", {0x3637bd8cf74d7c31, 0x0ff0001d885061be, 0xf6db5a80d78bc974, 0xe3fdc065e2c5ffed, 0x63dd22bed473ecc2, 0x2615dedc2cbfc419}},
     {"ambient-only", {0xa8cddc40d6885ae4, 0xa8cddc40d6885ae4, 0xa8cddc40d6885ae4, 0xa8cddc40d6885ae4, 0xa8cddc40d6885ae4, 0xa8cddc40d6885ae4}},

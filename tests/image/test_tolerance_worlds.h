@@ -18,7 +18,7 @@
 #include "examples/meshes/meshes.h"
 #include "tests/unit/backends.h"
 
-enum { WORLD_OBJECTS = 3, WORLD_LIGHTS = 8, SHARDS = 6 };
+enum { WORLD_OBJECTS = 3, WORLD_LIGHTS = 8, SHARDS = 6, WORLD_TEXELS = 40 * 40, WORLD_VERTICES = 2048 };
 
 #define Q16 65536.0
 
@@ -30,6 +30,10 @@ typedef struct world {
     int16_t positions[3 * SHARDS][3], normals[3 * SHARDS][3];
     uint16_t triangles[2 * SHARDS][3];
     glint_mesh shards;
+    glint_mesh textured[WORLD_OBJECTS]; /* an object's mesh with texture coordinates */
+    glint_texture textures[WORLD_OBJECTS];
+    int16_t texcoords[WORLD_VERTICES][2];
+    uint16_t texels[WORLD_TEXELS];
     glint_scene scene;
     uint16_t width_px, height_px;
     uint64_t random;
@@ -255,6 +259,47 @@ static void add_effects(world *w, double distance)
     }
 }
 
+/* Textures of any kind on some objects, in one scene of four: texture coordinates anywhere within a part of a texture
+ * or over several tiles, so that texels come out large and small. */
+static void add_textures(world *w)
+{
+    if (!one_in(w, 4)) {
+        return;
+    }
+    const double spread = of_any_size(w, 0.004, 3);
+    for (int v = 0; v < WORLD_VERTICES; v++) {
+        for (int k = 0; k < 2; k++) {
+            w->texcoords[v][k] = (int16_t)lrint(2048 * uniform(w, -spread, spread));
+        }
+    }
+    const bool strong = one_in(w, 2);
+    for (int i = 0; i < WORLD_TEXELS; i++) {
+        const int grey = between(w, 0, 15);
+        w->texels[i] =
+            (uint16_t)(strong ? between(w, 0, 65535) : (grey + 12) << 11 | (2 * grey + 24) << 5 | (grey + 9));
+    }
+    for (uint16_t i = 0; i < w->scene.object_count; i++) {
+        glint_texture *const texture = &w->textures[i];
+        if (one_in(w, 3) || w->objects[i].mesh->vertex_count > WORLD_VERTICES) {
+            continue;
+        }
+        texture->texels = w->texels;
+        texture->palette = w->texels;
+        texture->palette_count = (uint16_t)between(w, 1, 256);
+        texture->width_px = (uint16_t)between(w, 1, 40);
+        texture->height_px = (uint16_t)between(w, 1, 40);
+        texture->format = (uint8_t)between(w, 0, 1);
+        texture->filter = (uint8_t)between(w, 0, 1);
+        texture->wrap_u = (uint8_t)between(w, 0, 1);
+        texture->wrap_v = (uint8_t)between(w, 0, 1);
+        w->textured[i] = *w->objects[i].mesh;
+        w->textured[i].texcoords = (const int16_t(*)[2])w->texcoords;
+        w->textured[i].texcoord_bits = 11;
+        w->objects[i].mesh = &w->textured[i];
+        w->materials[i].texture = texture;
+    }
+}
+
 /* Scene `number` of the run. Pointers go into *w, so it must stay where it is. */
 static void make_world(world *w, uint32_t seed, uint32_t number)
 {
@@ -312,6 +357,7 @@ static void make_world(world *w, uint32_t seed, uint32_t number)
     w->scene.ambient = colour(w, 1, one_in(w, 2));
     w->scene.background = colour(w, 1, false);
     add_effects(w, distance);
+    add_textures(w);
 }
 
 /*
