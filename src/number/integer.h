@@ -128,6 +128,13 @@ int32_t glint_multiply_high_s32(int32_t a, int32_t b);
 #define GLINT_SPECIALISED
 #endif
 
+/* A function that is called: the registers of its loop are its own. */
+#if defined __GNUC__
+#define GLINT_APART __attribute__((noinline))
+#else
+#define GLINT_APART
+#endif
+
 /* Number of leading zero bits; 32 for 0. */
 static inline int clz32(uint32_t value)
 {

@@ -177,7 +177,7 @@ static int triangle_candidates(const reference_detail *d, const contender *c, in
         reference_candidate one = {c->triangle, {HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
         for (int k = 0; k < points; k++) {
             /* more of each channel of the texture is more of the pixel */
-            for (int m = 0; m <= textured; m++) {
+            for (int m = 0; m < (textured ? 2 : 1); m++) {
                 double rgb[3];
                 shade_corner(d, t, &region[k], &anchor, variants > 1 ? v : -1, textured ? texel[m] : NULL, rgb);
                 widen(&one, rgb);
