@@ -60,7 +60,7 @@ typedef struct selftest_picture {
     uint8_t shading;
 } selftest_picture;
 
-enum { SELFTEST_PICTURES = 4 };
+enum { SELFTEST_PICTURES = 6 };
 extern const selftest_picture selftest_pictures[SELFTEST_PICTURES];
 
 #endif
