@@ -104,17 +104,18 @@ static uint32_t axis_range(glint_texture_axis *axis, const int32_t t_q22[3], int
 
 /* See glint_texture_map_set_up(): 1/65536 texel. `zeros` are those before the least inverse depth, which errs by a
  * unit. */
-static uint32_t axis_error(uint32_t half_q22, uint32_t size_px, int zeros)
+static uint32_t axis_error(uint32_t half_q22, uint32_t size_px, int zeros, bool clipped)
 {
     const uint32_t range_px = (uint32_t)(((uint64_t)half_q22 * size_px) >> (GLINT_TEXCOORD_BITS - 1)); /* <= 2^17 */
-    /* 2^-13 texel is 8; 2^-22 + 2^-21 of the texture; 2^-21 of the range, as the rest is within 2^-24 of it */
     const uint64_t of_depth = ((uint64_t)range_px << 16) >> (31 - zeros);
     const uint32_t most = (uint32_t)1 << 30;
-    return 8 + (size_px >> 5) + 1 + (range_px >> 4) + 1 + (uint32_t)(of_depth < most ? of_depth : most);
+    const uint32_t of_clipping = clipped ? (size_px >> 5) + (range_px >> 6) + 2 : 0;
+    /* 2^-13 texel is 8; 2^-23 of the texture; 2^-26 of half the range */
+    return 8 + (size_px >> 7) + 1 + (range_px >> 10) + 1 + of_clipping + (uint32_t)(of_depth < most ? of_depth : most);
 }
 
 void glint_texture_map_set_up(glint_texture_map *map, const glint_texture *texture, const glint_gradients *gradients,
-                              int32_t texcoord_q22[3][2], const uint8_t order[3])
+                              int32_t texcoord_q22[3][2], const uint8_t order[3], bool clipped)
 {
     fine_gradients fine;
     int64_t value_q16[3];
@@ -153,7 +154,7 @@ void glint_texture_map_set_up(glint_texture_map *map, const glint_texture *textu
         if (!gradients->sliver) {
             plane_set_up(&axis->plane, &fine, value_q16);
         }
-        map->error_q16 += axis_error(half_q22, k == 0 ? texture->width_px : texture->height_px, clz32(least));
+        map->error_q16 += axis_error(half_q22, k == 0 ? texture->width_px : texture->height_px, clz32(least), clipped);
     }
 }
 

@@ -14,7 +14,8 @@
  *   error of all of them, the reciprocal's, is as if the triangle were larger by 2^-28.3.
  *
  * Error of a coordinate against that of the corners' weights and texture coordinates: 2^-23 of the texture, for its
- * rounding to 22 bits, and 2^-25.7 of half the corners' range (C errs by 2.5 units where it has 28 bits). Tests:
+ * rounding to 22 bits, and 2^-26 of half the corners' range: relative to C 2^-28.3 for the reciprocal, and of
+ * the range, whose C has 27 bits at least, 2^-27 and 2^-28 for rounding down the product and P. Tests:
  * tests/unit/test_texture.c.
  */
 #ifndef GLINT_EFFECTS_TEXTURE_H
@@ -68,11 +69,11 @@ void glint_texcoord_of(const glint_mesh *mesh, uint16_t vertex, int32_t texcoord
 /*
  * Sets up the map of a triangle. `texcoord_q22` are its corners', |.| <= 2^28, in the order of the mesh, `order` the
  * clockwise one of `gradients`, which has to stay. error_q16 is what a coordinate may be off: the errors above, 2^-13
- * texel for the filter's weights, 2^-21 of the texture and of the range for corners that clipping made, and what the
- * rounding of the corners' inverse depths comes to.
+ * texel for the filter's weights, what the rounding of the corners' inverse depths comes to, and where clipping made
+ * corners 2^-21 of the texture and 2^-22 of the range.
  */
 void glint_texture_map_set_up(glint_texture_map *map, const glint_texture *texture, const glint_gradients *gradients,
-                              int32_t texcoord_q22[3][2], const uint8_t order[3]);
+                              int32_t texcoord_q22[3][2], const uint8_t order[3], bool clipped);
 
 /* Texture coordinates at `count` pixels of a row, Q22. The value of a pixel does not depend on where the row starts. */
 void glint_texture_coordinates(const glint_texture_map *map, int16_t x, int16_t y, uint16_t count,
