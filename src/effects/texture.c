@@ -58,14 +58,15 @@ typedef struct fine_gradients {
 static void refine_gradients(fine_gradients *fine, const glint_gradients *gradients)
 {
     const glint_screen_vertex *const a = gradients->corner[0];
+    const int64_t area = gradients->area > 0 ? gradients->area : 1; /* it is above 0 but for slivers */
     int bits;
-    const uint32_t r = glint_reciprocal_q31(normalize64((uint64_t)gradients->area, &bits));
+    const uint32_t r = glint_reciprocal_q31(normalize64((uint64_t)area, &bits));
     for (int i = 0; i < 2; i++) {
         /* the edge opposite corner 1 runs from 2 to 0, that opposite corner 2 from 0 to 1 */
         const glint_screen_vertex *const from = gradients->corner[i == 0 ? 2 : 0];
         const glint_screen_vertex *const to = gradients->corner[i == 0 ? 0 : 1];
-        fine->x_q48[i] = refine(gradients->x[i], from->y - to->y, gradients->area, r, bits);
-        fine->y_q48[i] = refine(gradients->y[i], to->x - from->x, gradients->area, r, bits);
+        fine->x_q48[i] = refine(gradients->x[i], from->y - to->y, area, r, bits);
+        fine->y_q48[i] = refine(gradients->y[i], to->x - from->x, area, r, bits);
     }
     fine->way_x = GLINT_FINE / 2 - a->x;
     fine->way_y = GLINT_FINE / 2 - a->y;
@@ -117,7 +118,7 @@ static uint32_t axis_error(uint32_t half_q22, uint32_t size_px, int zeros, bool 
 void glint_texture_map_set_up(glint_texture_map *map, const glint_texture *texture, const glint_gradients *gradients,
                               int32_t texcoord_q22[3][2], const uint8_t order[3], bool clipped)
 {
-    fine_gradients fine;
+    fine_gradients fine = {{0, 0}, {0, 0}, 0, 0}; /* of a sliver there are none */
     int64_t value_q16[3];
     int32_t c[3];
     uint32_t any = 1, least = UINT32_MAX;

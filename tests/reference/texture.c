@@ -80,7 +80,8 @@ static int places(const picture *p, int axis, double low, double high, double ou
     }
     out[count++] = low;
     out[count++] = high;
-    for (double line = first; line <= last; line += 1.0) {
+    for (int i = 0; i <= (int)(last - first); i++) {
+        double line = first + i;
         out[count++] = p->bilinear ? (line + shift) / size : fmin(high, (line + 0.5) / size);
     }
     return count;

@@ -40,7 +40,7 @@ static int reduce(picture *from, int step, char *error, size_t error_bytes)
                     }
                 }
                 to.rgb[((size_t)y * (size_t)to.width + (size_t)x) * 3 + (size_t)k] =
-                    (uint8_t)((sum + count / 2) / count);
+                    (uint8_t)((sum + count / 2) / (count > 0 ? count : 1));
             }
         }
     }
