@@ -116,9 +116,9 @@ static void test_clipped_scenes_within_one_code(void **state)
 static void test_imported_models_within_one_code(void **state)
 {
     (void)state;
-    static const char *const paths[] = {"tests/models/cube.obj", "tests/models/no-normals.obj",
-                                        "tests/models/rough.obj", "tests/models/corner.gltf", "tests/models/tile.dae",
-                                        "tests/models/textured.obj", "tests/models/textured.gltf"};
+    static const char *const paths[] = {
+        "tests/models/cube.obj", "tests/models/no-normals.obj", "tests/models/rough.obj",    "tests/models/corner.gltf",
+        "tests/models/tile.dae", "tests/models/textured.obj",   "tests/models/textured.gltf"};
 #ifndef GLINT_HAVE_ASSIMP
     skip();
 #endif
