@@ -103,6 +103,8 @@ const char *glint_error_text(int error)
         return "a material has a texture, but the object's mesh no texcoords";
     case GLINT_ERROR_TEXCOORD_BITS:
         return "a textured mesh's texcoord_bits is not 9..15";
+    case GLINT_ERROR_TEXTURE_ABSENT:
+        return "a material has a texture, and the library was made without them (GLINT_TEXTURES)";
     case GLINT_ERROR_MEMORY_SIZE:
         return "the memory is smaller than the least that the scene and display need";
     case GLINT_ERROR_MEMORY_ALIGNMENT:

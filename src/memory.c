@@ -44,7 +44,7 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     }
     needs->reaches = (uint64_t)scene->object_count * needs->reach_count * whole_words(bytes->reach);
     needs->texture = 0;
-    for (uint16_t i = 0; i < scene->object_count && needs->texture == 0; i++) {
+    for (uint16_t i = 0; GLINT_TEXTURES && i < scene->object_count && needs->texture == 0; i++) {
         const glint_material *material = scene->objects[i].material;
         needs->texture = material != NULL && material->texture != NULL ? (uint32_t)whole_words(bytes->texture) + 4 : 0;
     }

@@ -79,6 +79,9 @@ static int check_texture(const glint_texture *texture, const glint_mesh *mesh)
     if (texture == NULL) {
         return GLINT_OK;
     }
+    if (!GLINT_TEXTURES) {
+        return GLINT_ERROR_TEXTURE_ABSENT;
+    }
     if (texture->format > GLINT_TEXTURE_PALETTE8) {
         return GLINT_ERROR_TEXTURE_FORMAT;
     }

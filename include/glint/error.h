@@ -77,6 +77,7 @@ typedef enum glint_error {
     GLINT_ERROR_TEXTURE_WRAP = -95,      /* unknown */
     GLINT_ERROR_TEXTURE_TEXCOORDS = -96, /* the mesh has no texcoords */
     GLINT_ERROR_TEXCOORD_BITS = -97,     /* the mesh's texcoord_bits out of range */
+    GLINT_ERROR_TEXTURE_ABSENT = -98,    /* a library made without textures: see GLINT_TEXTURES */
 
     /* memory */
     GLINT_ERROR_MEMORY_SIZE = -70,     /* less than glint_*_memory_least_bytes() */

@@ -53,6 +53,7 @@ const glint_scene selftest_room = {
     .background = COLOUR(100, 140, 200),
 };
 
+#if GLINT_TEXTURES
 static const int16_t floor_positions[][3] GLINT_FLASH = {
     {-16384, 0, -16384}, {-16384, 0, 16384}, {16384, 0, 16384}, {16384, 0, -16384}};
 static const int16_t floor_normals_q14[][3] GLINT_FLASH = {{0, 16384, 0}, {0, 16384, 0}, {0, 16384, 0}, {0, 16384, 0}};
@@ -100,11 +101,15 @@ static const glint_scene selftest_floor = {
     .background = COLOUR(100, 140, 200),
 };
 
+#endif
+
 const selftest_picture selftest_pictures[SELFTEST_PICTURES] = {
     {"sphere-exact", &demo_sphere_10x6, 48, 32, 0, GLINT_SHADING_EXACT},
     {"room-exact", &selftest_room, 48, 32, 16, GLINT_SHADING_EXACT},
     {"room-gouraud", &selftest_room, 48, 32, 7, GLINT_SHADING_GOURAUD},
     {"room-flat", &selftest_room, 48, 32, 1, GLINT_SHADING_FLAT},
+#if GLINT_TEXTURES
     {"floor-exact", &selftest_floor, 48, 32, 8, GLINT_SHADING_EXACT},
     {"floor-gouraud", &selftest_floor, 48, 32, 32, GLINT_SHADING_GOURAUD},
+#endif
 };
