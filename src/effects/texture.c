@@ -290,11 +290,11 @@ static inline void channels_of(uint16_t rgb565, uint32_t k[3])
     k[2] = rgb565 & 31;
 }
 
-static void sample_nearest(const glint_texture *texture, const uint32_t position[2], glint_texel *texel)
+/* One texel's colour. 2^15 / 31 = 33825.03 / 32, 2^15 / 63 = 33288.13 / 64: 0 stays 0, the greatest becomes 32768. */
+static void texel_from(uint16_t rgb565, glint_texel *texel)
 {
     uint32_t k[3];
-    channels_of(fetch(texture, position[0] >> GLINT_TEXCOORD_BITS, position[1] >> GLINT_TEXCOORD_BITS), k);
-    /* 2^15 / 31 = 33825.03 / 32, 2^15 / 63 = 33288.13 / 64: 0 stays 0, the greatest becomes 32768 */
+    channels_of(rgb565, k);
     texel->q15[0] = (uint16_t)((k[0] * 33825u + 16) >> 5);
     texel->q15[1] = (uint16_t)((k[1] * 33288u + 32) >> 6);
     texel->q15[2] = (uint16_t)((k[2] * 33825u + 16) >> 5);
@@ -328,11 +328,17 @@ static void sample_bilinear(const glint_texture *texture, const uint32_t positio
 {
     const pair u = pair_of(position[0], texture->wrap_u, texture->width_px);
     const pair v = pair_of(position[1], texture->wrap_v, texture->height_px);
+    const uint16_t c00 = fetch(texture, u.first, v.first), c10 = fetch(texture, u.second, v.first);
+    const uint16_t c01 = fetch(texture, u.first, v.second), c11 = fetch(texture, u.second, v.second);
+    if (c00 == c10 && c00 == c01 && c00 == c11) { /* as in most of a picture of few colours */
+        texel_from(c00, texel);
+        return;
+    }
     uint32_t k00[3], k10[3], k01[3], k11[3];
-    channels_of(fetch(texture, u.first, v.first), k00);
-    channels_of(fetch(texture, u.second, v.first), k10);
-    channels_of(fetch(texture, u.first, v.second), k01);
-    channels_of(fetch(texture, u.second, v.second), k11);
+    channels_of(c00, k00);
+    channels_of(c10, k10);
+    channels_of(c01, k01);
+    channels_of(c11, k11);
     for (int c = 0; c < 3; c++) {
         const uint32_t k_q26 = between(between(k00[c], k10[c], u.weight_q13), between(k01[c], k11[c], u.weight_q13),
                                        v.weight_q13); /* at most 63 2^26 < 2^32 - 2^15 */
@@ -347,7 +353,7 @@ void glint_texture_sample(const glint_texture *texture, const int32_t texcoord_q
     const uint32_t position[2] = {position_of(texcoord_q22[0], texture->wrap_u, texture->width_px),
                                   position_of(texcoord_q22[1], texture->wrap_v, texture->height_px)};
     if (texture->filter == GLINT_NEAREST) {
-        sample_nearest(texture, position, texel);
+        texel_from(fetch(texture, position[0] >> GLINT_TEXCOORD_BITS, position[1] >> GLINT_TEXCOORD_BITS), texel);
     } else {
         sample_bilinear(texture, position, texel);
     }
