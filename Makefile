@@ -49,7 +49,7 @@ TEST_LIBS = $(shell pkg-config --libs cmocka libcjson 2>/dev/null || echo -lcmoc
 rwildcard = $(foreach entry,$(wildcard $(1)/*),$(call rwildcard,$(entry),$(2)) $(filter $(2),$(entry)))
 
 LIBRARY_SOURCES := $(sort $(call rwildcard,src,%.c))
-SCENE_SOURCES := $(sort $(wildcard examples/meshes/*.c examples/scenes/*.c))
+SCENE_SOURCES := $(sort $(wildcard examples/meshes/*.c examples/textures/*.c examples/scenes/*.c))
 HOST_SOURCES := $(sort $(wildcard tests/reference/*.c tools/picture/*.c tools/import/*.c))
 RENDER_SOURCES := $(sort $(wildcard examples/render/*.c))
 OBSERVED_SOURCES := src/backend/fixed.c src/backend/float.c
@@ -132,6 +132,10 @@ $(B)/obj/src/%.o: src/%.c $(LIBRARY_STAMPS)
 
 # Scenes and meshes are what firmware links, so they are compiled as the library is.
 $(B)/obj/examples/meshes/%.o: examples/meshes/%.c $(LIBRARY_STAMPS)
+	@mkdir -p $(@D)
+	$(call run,CC  )$(CC) $(LIBRARY_FLAGS) -I. -MMD -MP -c $< -o $@
+
+$(B)/obj/examples/textures/%.o: examples/textures/%.c $(LIBRARY_STAMPS)
 	@mkdir -p $(@D)
 	$(call run,CC  )$(CC) $(LIBRARY_FLAGS) -I. -MMD -MP -c $< -o $@
 

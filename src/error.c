@@ -105,6 +105,22 @@ const char *glint_error_text(int error)
         return "the tolerance is below 0.75 codes, or asked for together with a shading";
     case GLINT_ERROR_PART:
         return "the scene asks for what this variant of the backend leaves out: call another";
+    case GLINT_ERROR_TEXTURE_SIZE:
+        return "a texture's width or height is not 1..1024, or its texels do not fit the address space";
+    case GLINT_ERROR_TEXTURE_TEXELS:
+        return "a texture has no texels (NULL)";
+    case GLINT_ERROR_TEXTURE_PALETTE:
+        return "a texture's palette is NULL, or its palette_count not 1..256";
+    case GLINT_ERROR_TEXTURE_FORMAT:
+        return "a texture's format is unknown";
+    case GLINT_ERROR_TEXTURE_FILTER:
+        return "a texture's filter is unknown";
+    case GLINT_ERROR_TEXTURE_WRAP:
+        return "a texture's wrap_u or wrap_v is unknown";
+    case GLINT_ERROR_TEXTURE_TEXCOORDS:
+        return "a material has a texture, but the object's mesh no texcoords";
+    case GLINT_ERROR_TEXCOORD_BITS:
+        return "a textured mesh's texcoord_bits is not 9..15";
     case GLINT_ERROR_MEMORY_SIZE:
         return "the memory is smaller than the least that the scene and display need";
     case GLINT_ERROR_MEMORY_ALIGNMENT:

@@ -56,12 +56,17 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     needs->lights = (uint64_t)scene->object_count * needs->light_count * whole_words(bytes->light);
     needs->reaches = (uint64_t)scene->object_count * needs->reach_count * whole_words(bytes->reach);
     needs->mirrors = mirror_count * whole_words(bytes->mirror);
+    needs->texture = 0;
+    for (uint16_t i = 0; i < scene->object_count && needs->texture == 0; i++) {
+        const glint_material *material = scene->objects[i].material;
+        needs->texture = material != NULL && material->texture != NULL ? (uint32_t)whole_words(bytes->texture) + 4 : 0;
+    }
     needs->triangle_count = (uint32_t)triangle_count; /* at most 65535^2 */
     needs->bands = needs->band_count > 1 && triangle_count < GLINT_NO_TRIANGLE
                        ? whole_words((triangle_count + needs->band_count) * 2)
                        : 0;
     needs->vertices = vertex_count * sizeof(glint_screen_vertex);
-    needs->least = needs->drawing + needs->objects + needs->lights + needs->reaches + needs->mirrors + needs->buffers +
-                   needs->depth;
+    needs->least = needs->drawing + needs->objects + needs->lights + needs->reaches + needs->mirrors + needs->texture +
+                   needs->buffers + needs->depth;
     needs->full = needs->least + needs->bands + needs->vertices;
 }

@@ -7,6 +7,7 @@
  *     lights    one state an object and light  always; of an extended source as many as its samples allow
  *     reaches   one for each of these lights that is a spot light or attenuated
  *     mirrors   one for each object that mirrors the environment
+ *     texture   one, where an object has a texture
  *     buffers   one or two bands of pixels     always
  *     depth     16 bits a pixel of a band      always
  *     bands     2 bytes a band and a triangle  where there is room, more than one band, fewer than 65,535 triangles
@@ -31,6 +32,7 @@ typedef struct glint_needs {
     uint16_t band_px, band_count;
     uint16_t light_count; /* with the most point lights that extended sources may come to */
     uint16_t reach_count; /* of these, spot lights and attenuated ones */
+    uint32_t texture;     /* with 4 to spare, for an alignment of 8 */
     uint64_t drawing, objects, lights, reaches, mirrors, buffers, depth, bands, vertices;
     uint32_t triangle_count;
     uint64_t least; /* without bands and vertices */
@@ -39,7 +41,7 @@ typedef struct glint_needs {
 
 /* Of one of each, in a backend. */
 typedef struct glint_state_bytes {
-    uint16_t drawing, object, light, reach, mirror;
+    uint16_t drawing, object, light, reach, mirror, texture;
 } glint_state_bytes;
 
 /* Does a material mirror the environment? NULL does not. */

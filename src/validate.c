@@ -91,6 +91,42 @@ static int check_material(const glint_material *material, const glint_environmen
                                                                                               : GLINT_ERROR_WIRE;
 }
 
+/* What is not looked at may hold anything: a mesh's texture coordinates without a texture, a palette without numbers
+ * into it. */
+static int check_texture(const glint_texture *texture, const glint_mesh *mesh)
+{
+    if (texture == NULL) {
+        return GLINT_OK;
+    }
+    if (texture->format > GLINT_TEXTURE_PALETTE8) {
+        return GLINT_ERROR_TEXTURE_FORMAT;
+    }
+    const uint64_t texels = (uint64_t)texture->width_px * texture->height_px;
+    if (texels == 0 || texture->width_px > GLINT_MAX_TEXTURE_PX || texture->height_px > GLINT_MAX_TEXTURE_PX ||
+        (texels << (texture->format == GLINT_TEXTURE_RGB565)) > SIZE_MAX / 2) {
+        return GLINT_ERROR_TEXTURE_SIZE;
+    }
+    if (texture->texels == NULL) {
+        return GLINT_ERROR_TEXTURE_TEXELS;
+    }
+    if (texture->format == GLINT_TEXTURE_PALETTE8 &&
+        (texture->palette == NULL || texture->palette_count == 0 || texture->palette_count > GLINT_MAX_PALETTE)) {
+        return GLINT_ERROR_TEXTURE_PALETTE;
+    }
+    if (texture->filter > GLINT_BILINEAR) {
+        return GLINT_ERROR_TEXTURE_FILTER;
+    }
+    if (texture->wrap_u > GLINT_CLAMP || texture->wrap_v > GLINT_CLAMP) {
+        return GLINT_ERROR_TEXTURE_WRAP;
+    }
+    if (mesh->texcoords == NULL) {
+        return GLINT_ERROR_TEXTURE_TEXCOORDS;
+    }
+    return mesh->texcoord_bits < GLINT_LEAST_TEXCOORD_BITS || mesh->texcoord_bits > GLINT_MAX_TEXCOORD_BITS
+               ? GLINT_ERROR_TEXCOORD_BITS
+               : GLINT_OK;
+}
+
 static bool distance_in_range(uint32_t distance_q16)
 {
     return distance_q16 == 0 || (distance_q16 >= GLINT_LEAST_DISTANCE_Q16 && distance_q16 <= GLINT_MAX_DISTANCE_Q16);
@@ -262,7 +298,7 @@ static uint32_t parts_of_light(const glint_light *light)
 static uint32_t parts_of_material(const glint_material *material)
 {
     return (is_black(&material->specular) ? 0 : PART_SPECULAR) | (is_black(&material->mirror) ? 0 : PART_MIRRORS) |
-           (material->sides == GLINT_FRONT_SIDE ? 0 : PART_SIDES) |
+           (material->sides == GLINT_FRONT_SIDE ? 0 : PART_SIDES) | (material->texture == NULL ? 0 : PART_TEXTURES) |
            (material->transmission_q14 == 0 && material->wire_width_q4 == 0 ? 0 : PART_FINISH);
 }
 
@@ -318,6 +354,7 @@ int glint_validate(const glint_scene *scene, const glint_display *display, const
     for (uint16_t i = 0; !error && i < scene->object_count; i++) {
         const glint_object *object = &scene->objects[i];
         error = check_material(object->material, scene->environment);
+        error = error ? error : check_texture(object->material->texture, object->mesh);
         error = error ? error : glint_place_check(&object->place);
         error = error ? error : check_indices(object->mesh);
     }

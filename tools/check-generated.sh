@@ -44,4 +44,11 @@ if [ -n "$mesh_generator" ] && [ -f tools/mesh/regenerate.sh ]; then
         status=1
     }
 fi
+if [ -x "$build/generate-textures" ]; then
+    for file in examples/textures/*.c; do
+        name=${file##*/}
+        "$build/generate-textures" "${name%.c}" >"$out/$name"
+        compare "$file" "$out/$name"
+    done
+fi
 exit $status

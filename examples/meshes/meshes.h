@@ -36,6 +36,11 @@ extern const glint_mesh glint_mesh_box;
 /* The square from (-1,0,-1) to (1,0,1), facing up (+y), as a grid of 8 x 8 cells. */
 extern const glint_mesh glint_mesh_plane;
 
+/* The same sphere and square with texture coordinates: u along +x, or eastwards, v along +z, or from the north pole
+ * down. The texture repeats 12 times along the square's sides. */
+extern const glint_mesh glint_mesh_globe_32x16;                 /* 960 triangles */
+extern const glint_mesh glint_mesh_floor_1, glint_mesh_floor_8; /* as one cell, and as a grid of 8 x 8 cells */
+
 #ifdef __cplusplus
 }
 #endif

@@ -64,6 +64,7 @@ static void explain_object(FILE *file, const glint_scene *scene, uint16_t number
     explain_term(file, "through", plan.transmission);
     explain_term(file, "grazing", plan.grazing);
     explain_term(file, "wire", plan.wire);
+    explain_term(file, "texture", plan.texture);
     for (uint16_t i = 0; i < scene->light_count; i++) {
         lights += explain_light(file, scene, number, &plan, i, tolerance);
     }

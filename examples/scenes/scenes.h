@@ -72,6 +72,9 @@ extern const glint_scene demo_chrome, demo_gilded;
 /* blend.c: surfaces seen from both sides; fog; surfaces that let light through; a mesh's edges */
 extern const glint_scene demo_bowls, demo_avenue, demo_glass, demo_pond, demo_mesh;
 
+/* textured.c: a tiled floor and a wooden wall, a planet */
+extern const glint_scene demo_tiles, demo_planet;
+
 /* gallery_ratio.c: a row of spheres, ambient to diffuse ratio growing to the right */
 extern const glint_scene demo_ambient_ratio;
 

@@ -81,6 +81,16 @@ typedef enum glint_error {
     GLINT_ERROR_NULL_ENVIRONMENT = -93, /* a mirror without an environment, or an environment without texels */
     GLINT_ERROR_ENVIRONMENT_SIDE = -94, /* not 8, 16, 32, 64 or 128 */
 
+    /* texture of a material */
+    GLINT_ERROR_TEXTURE_SIZE = -100, /* width or height 0 or above GLINT_MAX_TEXTURE_PX, or more than memory can hold */
+    GLINT_ERROR_TEXTURE_TEXELS = -101,    /* NULL */
+    GLINT_ERROR_TEXTURE_PALETTE = -102,   /* NULL, without a colour, or with more than GLINT_MAX_PALETTE */
+    GLINT_ERROR_TEXTURE_FORMAT = -103,    /* unknown */
+    GLINT_ERROR_TEXTURE_FILTER = -104,    /* unknown */
+    GLINT_ERROR_TEXTURE_WRAP = -105,      /* unknown */
+    GLINT_ERROR_TEXTURE_TEXCOORDS = -106, /* the mesh has no texcoords */
+    GLINT_ERROR_TEXCOORD_BITS = -107,     /* the mesh's texcoord_bits out of range */
+
     /* memory */
     GLINT_ERROR_MEMORY_SIZE = -70,     /* less than glint_*_memory_least_bytes() */
     GLINT_ERROR_MEMORY_ALIGNMENT = -71 /* not aligned like a uint32_t */

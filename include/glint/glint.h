@@ -37,5 +37,6 @@
 #include <glint/plan.h>
 #include <glint/quality.h>
 #include <glint/scene.h>
+#include <glint/texture.h>
 
 #endif

@@ -10,7 +10,7 @@
 /* Upper bounds of what either backend keeps of the frame and the triangle being drawn, of an object, and of a light for
  * each object. */
 #define GLINT_DRAWING_BYTES 1856
-#define GLINT_OBJECT_BYTES 448
+#define GLINT_OBJECT_BYTES 464
 #define GLINT_LIGHT_BYTES 96
 
 /* And of a spot light or an attenuated one for each object, beside that: so many words more than GLINT_MEMORY_WORDS for
@@ -21,6 +21,9 @@
 /* And of an object that mirrors the environment: so many words more for each of these. */
 #define GLINT_MIRROR_BYTES 64
 #define GLINT_MIRROR_WORDS (GLINT_MIRROR_BYTES / 4)
+
+/* And this many words more once, if any material has a texture. */
+#define GLINT_TEXTURE_WORDS 120
 
 /* With a tolerance, this many words more for each object let its material keep a ramp of pixels (RGB565 without dither)
  * and a table of its highlight: faster, the same image. */

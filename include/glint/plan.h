@@ -27,7 +27,8 @@ typedef enum glint_reason {
     GLINT_OUT_OF_RANGE = 4,     /* the whole object is at least the light's range away from it */
     GLINT_OUTSIDE_CONE = 5,     /* the whole object is outside of the spot light's outer cone */
     GLINT_NOT_IN_SCENE = 6,     /* the scene has none of it */
-    GLINT_IN_FRONT = 7          /* the whole object is in front of where the fog begins */
+    GLINT_IN_FRONT = 7,         /* the whole object is in front of where the fog begins */
+    GLINT_NOTHING_TO_COLOUR = 8 /* the texture has neither ambient nor diffuse light to multiply */
 } glint_reason;
 
 /* A sentence in English, never NULL. */
@@ -41,6 +42,7 @@ typedef struct glint_bounds {
 
 typedef struct glint_object_plan {
     uint8_t ambient, sky, ground, emission, mirror; /* glint_reason of each term that no light is needed for */
+    uint8_t texture;                                /* glint_reason of the factor T of ambient and diffuse terms */
     uint8_t fog;                                    /* glint_reason: is fog mixed in at the object's pixels? */
     uint8_t transmission, grazing;                  /* glint_reason: does light come through, less at grazing angles? */
     uint8_t wire;                                   /* glint_reason: are edges drawn? */

@@ -55,6 +55,8 @@
  * Where a material has a wire, L is its colour at each pixel of a triangle whose centre is nearer than half the width
  * to the line through one of the triangle's edges on the screen, and nothing passes there (t' = 0). It is not lit; fog
  * does apply. Each triangle draws its half of a line, so the outline of an object has half the width.
+ *
+ * r_a and r_d may vary over the surface by a texture, see <glint/texture.h>.
  */
 #ifndef GLINT_SCENE_H
 #define GLINT_SCENE_H
@@ -63,6 +65,7 @@
 
 #include <glint/config.h>
 #include <glint/mesh.h>
+#include <glint/texture.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -101,18 +104,19 @@ enum {
 
 /* What a surface does with light. Reflectances are 0..1 (16384) in each channel. */
 typedef struct glint_material {
-    glint_colour ambient;      /* r_a */
-    glint_colour diffuse;      /* r_d */
-    glint_colour specular;     /* r_s */
-    uint16_t exponent_q4;      /* alpha in sixteenths: 0..GLINT_MAX_EXPONENT * 16; 32 is written 32 * 16 */
-    uint8_t specular_model;    /* GLINT_PHONG (default) or GLINT_BLINN */
-    uint8_t sides;             /* GLINT_FRONT_SIDE (default) ... */
-    glint_colour emission;     /* e: light that the surface sends out whatever falls on it, 0..1 */
-    glint_colour mirror;       /* r_m: what part of the environment it mirrors; asks for scene.environment */
-    uint16_t transmission_q14; /* t: how much of the light behind shows through, 0 (opaque)..1 (16384) */
-    glint_colour grazing;      /* G: what it mirrors instead at grazing angles, 0..1; black: nothing, t' = t */
-    glint_colour wire;         /* colour of the mesh's edges, see above; 0..1 */
-    uint16_t wire_width_q4;    /* how wide they are, 1/16 px: 0 (none)..GLINT_MAX_WIRE_Q4 */
+    glint_colour ambient;         /* r_a */
+    glint_colour diffuse;         /* r_d */
+    glint_colour specular;        /* r_s */
+    uint16_t exponent_q4;         /* alpha in sixteenths: 0..GLINT_MAX_EXPONENT * 16; 32 is written 32 * 16 */
+    uint8_t specular_model;       /* GLINT_PHONG (default) or GLINT_BLINN */
+    uint8_t sides;                /* GLINT_FRONT_SIDE (default) ... */
+    glint_colour emission;        /* e: light that the surface sends out whatever falls on it, 0..1 */
+    glint_colour mirror;          /* r_m: what part of the environment it mirrors; asks for scene.environment */
+    uint16_t transmission_q14;    /* t: how much of the light behind shows through, 0 (opaque)..1 (16384) */
+    glint_colour grazing;         /* G: what it mirrors instead at grazing angles, 0..1; black: nothing, t' = t */
+    glint_colour wire;            /* colour of the mesh's edges, see above; 0..1 */
+    uint16_t wire_width_q4;       /* how wide they are, 1/16 px: 0 (none)..GLINT_MAX_WIRE_Q4 */
+    const glint_texture *texture; /* T, by which r_a and r_d are multiplied, see <glint/texture.h>; NULL: none */
 } glint_material;
 
 /*

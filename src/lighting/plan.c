@@ -24,6 +24,8 @@ const char *glint_reason_text(int reason)
         return "the scene has none of it";
     case GLINT_IN_FRONT:
         return "the object is in front of it";
+    case GLINT_NOTHING_TO_COLOUR:
+        return "there is neither ambient nor diffuse light that it could colour";
     default:
         return "unknown reason";
     }
@@ -45,6 +47,20 @@ static glint_reason reason_of(const glint_colour *reflectance, const glint_colou
     const int32_t r = (int32_t)reflectance->r_q14 * light->r_q14, g = (int32_t)reflectance->g_q14 * light->g_q14,
                   b = (int32_t)reflectance->b_q14 * light->b_q14;
     return (r | g | b) == 0 ? GLINT_NO_COMMON_COLOUR : GLINT_NEEDED;
+}
+
+/* Of the ambient and diffuse terms, those of lights out of reach included: a light that moves changes no texture. */
+static glint_reason reason_of_texture(const glint_scene *scene, const glint_material *material,
+                                      const glint_object_plan *plan)
+{
+    if (material->texture == NULL) {
+        return GLINT_REFLECTANCE_ZERO;
+    }
+    bool any = plan->ambient == GLINT_NEEDED || plan->sky == GLINT_NEEDED || plan->ground == GLINT_NEEDED;
+    for (uint16_t i = 0; i < scene->light_count && !any; i++) {
+        any = reason_of(&material->diffuse, &scene->lights[i].colour) == GLINT_NEEDED;
+    }
+    return any ? GLINT_NEEDED : GLINT_NOTHING_TO_COLOUR;
 }
 
 static bool has_reach(const glint_light *light)
@@ -174,6 +190,7 @@ void glint_plan_object(const glint_scene *scene, uint16_t object, glint_object_p
     plan->sky = (uint8_t)reason_of(&material->ambient, &scene->sky);
     plan->ground = (uint8_t)reason_of(&material->ambient, &scene->ground);
     plan->emission = (uint8_t)(is_black(&material->emission) ? GLINT_REFLECTANCE_ZERO : GLINT_NEEDED);
+    plan->texture = (uint8_t)reason_of_texture(scene, material, plan);
     plan->mirror = (uint8_t)(is_black(&material->mirror) ? GLINT_REFLECTANCE_ZERO : GLINT_NEEDED);
     const bool has_fog = (scene->fog.begin_q16 | scene->fog.end_q16) != 0;
     const bool lets_through = material->transmission_q14 != 0;

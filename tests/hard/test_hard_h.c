@@ -114,7 +114,7 @@ static void test_H2_shifts(void **state)
     (void)snprintf(command, sizeof command,
                    "%s -std=c99 -w -O1 -ffp-contract=off -fsanitize=shift,signed-integer-overflow "
                    "-fno-sanitize-recover=all -Iinclude -Isrc -I. -o %s %s $(find src -name '*.c') examples/meshes/*.c "
-                   "examples/scenes/*.c 2>&1",
+                   "examples/textures/*.c examples/scenes/*.c 2>&1",
                    compiler, program, path);
     if (run(command, said, sizeof said) != 0) {
         fail_msg("%s", said);

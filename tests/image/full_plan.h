@@ -10,6 +10,9 @@
 static inline void full_plan_object(const glint_scene *scene, uint16_t object, glint_object_plan *plan)
 {
     glint_plan_object(scene, object, plan);
+    if (plan->texture == GLINT_NOTHING_TO_COLOUR) {
+        plan->texture = GLINT_NEEDED;
+    }
     plan->ambient = plan->sky = plan->ground = plan->emission = plan->fog = GLINT_NEEDED;
 }
 

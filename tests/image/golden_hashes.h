@@ -32,6 +32,8 @@ static const struct {
     {"glass", {0x8ce33c5efba6fbf9, 0xc16a315d7125da56, 0x0a79d7afcbc0262c, 0x1a9963fda986178a, 0x1a9963fda986178a, 0x8ce33c5efba6fbf9}},
     {"pond", {0x79181ebf44c95bbb, 0x4a1e4ad8b5617b55, 0x7395501ff7dd3e64, 0x3108a7baf7e8a469, 0xb42bfad1f24bf703, 0x5fec7d586cef899c}},
     {"mesh", {0x41889ba76e926546, 0x504dc6df1aae7e87, 0xce86971e5ac18e67, 0x09edf61309a764a6, 0x2f5369e85d31e4ba, 0x9e990c0dceabc7d0}},
+    {"tiles", {0xd4b594251e82296b, 0xa3c34d844413740e, 0x56f338789f096465, 0xdad6696ebf004ede, 0xf6734d629737383d, 0xd19aa0032b2a15c0}},
+    {"planet", {0x0f02fc529ba874cf, 0x61b18bccd21df99c, 0x80b6b721416b4db6, 0xb34dc9dc6396a6f0, 0x6dba87a5cdf8e1a8, 0x0f02fc529ba874cf}},
     {"ambient-ratio", {0xbac51f909dea2057, 0x2d2a0838cfe173be, 0x78a3d09c9c547539, 0xe678392132759c83, 0x0458f261354c62ef, 0xf5c6406b5a2c0e0f}},
     {"specular-grid", {0x3637bd8cf74d7c31, 0x0ff0001d885061be, 0xf6db5a80d78bc974, 0x531286395398f687, 0x5bf255f2b772ff0e, 0x234b2f9ff0408677}},
     {"ambient-only", {0xa8cddc40d6885ae4, 0xa8cddc40d6885ae4, 0xa8cddc40d6885ae4, 0xa8cddc40d6885ae4, 0xa8cddc40d6885ae4, 0xa8cddc40d6885ae4}},

@@ -10,7 +10,8 @@
  * Asserted of a frame:
  *  - plain pixels (tests/reference/reference.h): |code - 255 L| <= promise in each channel; the background's is 1/2.
  *    What is promised excludes what moving the surface by MOVED_PX changes: a pixel beyond the promise of L at its
- *    centre must keep it of the same triangle's L within MOVED_PX of that (counted, printed, at most MOVED_SHARE);
+ *    centre must keep it of the same triangle's L within MOVED_PX of that (counted, printed, at most MOVED_SHARE of
+ *    those without a texture);
  *    Where a surface lets light through, its t times the promise of what is behind is added (t times the format's
  *    coarseness too);
  *  - no promise (65535) is made only at the exact tier, for corner normals more than BENT_LEAST apart, told here from
@@ -51,7 +52,8 @@ typedef struct observed_pixel {
     double coarse;       /* how often the format's rounding counts, at most */
     uint16_t promise_q8; /* UINT16_MAX: none */
     bool bent;           /* two corner normals are more than BENT_LEAST apart; where there is no promise */
-    uint8_t tier;        /* GLINT_TIERS: none, the background */
+    bool textured;
+    uint8_t tier; /* GLINT_TIERS: none, the background */
 } observed_pixel;
 
 static observed_pixel seen[MOST_PIXELS];
@@ -72,6 +74,7 @@ static void observe_run(shade_state *shade, int16_t x, int16_t y, uint16_t count
         pixel->promise_q8 = seen_promise_q8;
         pixel->bent = seen_bent;
         pixel->tier = shade->tier;
+        pixel->textured = shade->texture != NULL;
     }
     seen_pixels[shade->tier] += count;
     seen_run(shade, x, y, count);
@@ -154,7 +157,8 @@ typedef struct figures {
     double greatest_unpromised;
     uint32_t pixels[GLINT_TIERS]; /* plain ones under a promise */
     uint32_t above;               /* of the exact tier whose promise is above the tolerance */
-    uint32_t moved;               /* that keep their promise within MOVED_PX only */
+    uint32_t moved;               /* that keep their promise within MOVED_PX only: without a texture, */
+    uint32_t moved_texels;        /* and with one, which changes faster than light does */
     uint32_t unpromised;          /* without a promise, beside the others */
     uint32_t breaches;
     ratios ratios;
@@ -184,6 +188,7 @@ static void add_figures(figures *to, const figures *from)
     }
     to->above += from->above;
     to->moved += from->moved;
+    to->moved_texels += from->moved_texels;
     to->unpromised += from->unpromised;
     to->greatest_unpromised = fmax(to->greatest_unpromised, from->greatest_unpromised);
     to->breaches += from->breaches;
@@ -349,7 +354,8 @@ static void check_pixels(const char *scene, references *r, const frame *f, int b
         }
         sum->pixels[pixel->tier]++;
         if (error > promise && kept_nearby(r, f, i, promise)) {
-            sum->moved++;
+            sum->moved += !pixel->textured;
+            sum->moved_texels += pixel->textured;
             continue;
         }
         sum->greatest[pixel->tier] = fmax(sum->greatest[pixel->tier], error);
@@ -468,8 +474,9 @@ static void print_totals(void)
                               total[i].ratio[tier]);
             }
         }
-        print_message(" median %.3f above %u moved %u unpromised %u %.2f\n", median(&total[i].ratios), total[i].above,
-                      total[i].moved, total[i].unpromised, total[i].greatest_unpromised);
+        print_message(" median %.3f above %u moved %u and %u textured unpromised %u %.2f\n", median(&total[i].ratios),
+                      total[i].above, total[i].moved, total[i].moved_texels, total[i].unpromised,
+                      total[i].greatest_unpromised);
     }
 }
 

@@ -18,7 +18,14 @@
 #include "examples/meshes/meshes.h"
 #include "tests/unit/backends.h"
 
-enum { WORLD_OBJECTS = 3, WORLD_LIGHTS = 8, SHARDS = 6, WORLD_TEXELS = 16 * 16 };
+enum {
+    WORLD_OBJECTS = 3,
+    WORLD_LIGHTS = 8,
+    SHARDS = 6,
+    AROUND_TEXELS = 16 * 16,
+    WORLD_TEXELS = 40 * 40,
+    WORLD_VERTICES = 2048
+};
 
 #define Q16 65536.0
 
@@ -28,9 +35,13 @@ typedef struct world {
     glint_material materials[WORLD_OBJECTS];
     glint_light lights[WORLD_LIGHTS];
     int16_t positions[3 * SHARDS][3], normals[3 * SHARDS][3];
-    uint16_t triangles[2 * SHARDS][3], texels[WORLD_TEXELS];
+    uint16_t triangles[2 * SHARDS][3], around[AROUND_TEXELS];
     glint_environment environment;
     glint_mesh shards;
+    glint_mesh textured[WORLD_OBJECTS]; /* an object's mesh with texture coordinates */
+    glint_texture textures[WORLD_OBJECTS];
+    int16_t texcoords[WORLD_VERTICES][2];
+    uint16_t texels[WORLD_TEXELS];
     glint_scene scene;
     uint16_t width_px, height_px;
     uint64_t random;
@@ -290,18 +301,59 @@ static void add_extents(world *w, double distance)
         return;
     }
     w->environment.side = (uint8_t)(8 << between(w, 0, 1));
-    w->environment.texels = w->texels;
+    w->environment.texels = w->around;
     w->environment.steepest = (uint8_t)(smooth ? 66 : 255); /* 8 steps of 31 */
-    for (int i = 0; i < WORLD_TEXELS; i++) {
+    for (int i = 0; i < AROUND_TEXELS; i++) {
         const uint16_t r = (uint16_t)between(w, 0, smooth ? 8 : 31), g = (uint16_t)between(w, 0, smooth ? 16 : 63),
                        b = (uint16_t)between(w, 0, smooth ? 8 : 31);
-        w->texels[i] = (uint16_t)(r << 11 | g << 5 | b);
+        w->around[i] = (uint16_t)(r << 11 | g << 5 | b);
     }
     w->scene.environment = &w->environment;
     for (int i = 0; i < WORLD_OBJECTS; i++) {
         if (one_in(w, 2)) {
             w->materials[i].mirror = colour(w, 1, one_in(w, 2));
         }
+    }
+}
+
+/* Textures of any kind on some objects, in one scene of four: texture coordinates anywhere within a part of a texture
+ * or over several tiles, so that texels come out large and small. */
+static void add_textures(world *w)
+{
+    if (!one_in(w, 4)) {
+        return;
+    }
+    const double spread = of_any_size(w, 0.004, 3);
+    for (int v = 0; v < WORLD_VERTICES; v++) {
+        for (int k = 0; k < 2; k++) {
+            w->texcoords[v][k] = (int16_t)lrint(2048 * uniform(w, -spread, spread));
+        }
+    }
+    const bool strong = one_in(w, 2);
+    for (int i = 0; i < WORLD_TEXELS; i++) {
+        const int grey = between(w, 0, 15);
+        w->texels[i] =
+            (uint16_t)(strong ? between(w, 0, 65535) : (grey + 12) << 11 | (2 * grey + 24) << 5 | (grey + 9));
+    }
+    for (uint16_t i = 0; i < w->scene.object_count; i++) {
+        glint_texture *const texture = &w->textures[i];
+        if (one_in(w, 3) || w->objects[i].mesh->vertex_count > WORLD_VERTICES) {
+            continue;
+        }
+        texture->texels = w->texels;
+        texture->palette = w->texels;
+        texture->palette_count = (uint16_t)between(w, 1, 256);
+        texture->width_px = (uint16_t)between(w, 1, 40);
+        texture->height_px = (uint16_t)between(w, 1, 40);
+        texture->format = (uint8_t)between(w, 0, 1);
+        texture->filter = (uint8_t)between(w, 0, 1);
+        texture->wrap_u = (uint8_t)between(w, 0, 1);
+        texture->wrap_v = (uint8_t)between(w, 0, 1);
+        w->textured[i] = *w->objects[i].mesh;
+        w->textured[i].texcoords = (const int16_t(*)[2])w->texcoords;
+        w->textured[i].texcoord_bits = 11;
+        w->objects[i].mesh = &w->textured[i];
+        w->materials[i].texture = texture;
     }
 }
 
@@ -363,6 +415,7 @@ static void make_world(world *w, uint32_t seed, uint32_t number)
     w->scene.background = colour(w, 1, false);
     add_effects(w, distance);
     add_extents(w, distance);
+    add_textures(w);
 }
 
 /*

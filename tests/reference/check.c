@@ -29,7 +29,7 @@ void reference_mask_codes(const reference_image *image, uint8_t *rgb8)
     for (size_t i = 0; i < pixels; i++) {
         rgb8[i * 3] = image->mask[i] & REFERENCE_EDGE ? 255 : 0;
         rgb8[i * 3 + 1] = image->mask[i] & REFERENCE_DEPTH ? 255 : 0;
-        rgb8[i * 3 + 2] = image->mask[i] & REFERENCE_TERMINATOR ? 255 : 0;
+        rgb8[i * 3 + 2] = image->mask[i] & (REFERENCE_TERMINATOR | REFERENCE_TEXEL) ? 255 : 0;
     }
 }
 
@@ -72,6 +72,7 @@ void reference_check(const reference_image *image, const uint8_t *rgb8, double m
             v->contested_edge += (image->mask[i] & REFERENCE_EDGE) != 0;
             v->contested_depth += (image->mask[i] & REFERENCE_DEPTH) != 0;
             v->contested_terminator += (image->mask[i] & REFERENCE_TERMINATOR) != 0;
+            v->contested_texel += (image->mask[i] & REFERENCE_TEXEL) != 0;
             if (!agrees_with_any(image, x, y, actual, max_codes) && v->unmatched++ == 0) {
                 v->unmatched_x = x;
                 v->unmatched_y = y;

@@ -129,7 +129,7 @@ void contest_depths(const reference_detail *d, contender *c, double x, double y)
 {
     const triangle *t = &d->triangles[c->triangle];
     corner region[MEET_REGION_MAX + 1];
-    int count = meet_region(d, t, x, y, region);
+    int count = meet_region(t, x, y, d->options.edge_px, region);
     region[count++] = c->inside && t->height > 0.0 ? meet_hit(d, t, x, y) : meet_nearest(t, x, y);
     c->depth_low = HUGE_VAL;
     c->depth_high = 0.0;

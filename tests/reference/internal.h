@@ -69,7 +69,14 @@ static inline vector unit(vector v)
     return l > 0.0 ? times(1.0 / l, v) : v;
 }
 
+typedef struct picture {
+    int size[2];
+    bool bilinear, clamped[2];
+    double *rgb; /* 3 a texel; NULL: no texture */
+} picture;
+
 typedef struct surface {
+    picture texture;
     double ambient[3]; /* r_a, and what of I_a comes from everywhere, times it */
     double sky[3], ground[3];
     double diffuse[3], specular[3], emission[3], mirror[3];
@@ -117,9 +124,10 @@ typedef struct triangle {
     int16_t model[3][3]; /* positions in the mesh: triangles that share two of them are neighbours */
     vector world[3];
     vector normal[3]; /* unit, in world space; the face normal for a stored zero; zero only if that is zero too */
-    vector face;      /* unit, outwards, in world space; zero for a triangle without area */
-    vector edge[3];   /* P_j x P_k, opposite corner i, signed so that all are >= 0 inside */
-    vector plane;     /* Z = height / (plane . d) on the ray of direction d */
+    double texcoord[3][2];
+    vector face;    /* unit, outwards, in world space; zero for a triangle without area */
+    vector edge[3]; /* P_j x P_k, opposite corner i, signed so that all are >= 0 inside */
+    vector plane;   /* Z = height / (plane . d) on the ray of direction d */
     double height;
     bool front;                 /* is drawn: turns its outside to the eye, or both sides count */
     bool away;                  /* turns its inside to the eye */
@@ -129,9 +137,11 @@ typedef struct triangle {
     corner corners[POLYGON_MAX];
     int label[POLYGON_MAX];      /* which edge runs from corners[k] to the next */
     double line[POLYGON_MAX][3]; /* signed distance of that edge, positive inside: l[0] x + l[1] y + l[2] */
-    double corner_colour[3][3];  /* Gouraud, clamped */
+    double corner_colour[3][3];  /* Gouraud, clamped; of a textured surface what the texture colours, */
+    double corner_plain[3][3];   /* and what it does not */
     double flat_colour[3];       /* flat */
-    bool has_terminator;         /* Gouraud, flat: a corner or the centroid stands on one */
+    double flat_plain[3];
+    bool has_terminator; /* Gouraud, flat: a corner or the centroid stands on one */
 } triangle;
 
 /* A pixel's centre in or near a triangle. */
@@ -199,7 +209,7 @@ int seal_edges(reference_detail *d);
 int meet_all(reference_detail *d);
 /* The triangle cut to the square of half width e around (x, y): at most MEET_REGION_MAX points in each part. */
 #define MEET_REGION_MAX (2 * (POLYGON_MAX + 4))
-int meet_region(const reference_detail *d, const triangle *t, double x, double y, corner region[MEET_REGION_MAX]);
+int meet_region(const triangle *t, double x, double y, double e, corner region[MEET_REGION_MAX]);
 /* The point of the triangle's outline that is nearest to (x, y). */
 corner meet_nearest(const triangle *t, double x, double y);
 /* The point of the triangle's surface on the ray through (x, y), which is inside it. */
@@ -241,26 +251,41 @@ typedef struct area_mean {
 } area_mean;
 area_mean area_light(const lamp *l, const surface *f, vector point, vector normal, vector c);
 
+/* texture.c */
+/* 0, or -1 without memory. */
+int picture_load(picture *out, const glint_texture *in);
+void picture_at(const picture *p, const double uv[2], double rgb[3]);
+/* Bounds of the colours over a box. */
+void picture_range(const picture *p, const double low[2], const double high[2], double least[3], double most[3]);
+
 /* shade.c */
 /* max(0, r.c)^alpha, or with Blinn's h. */
 double shade_highlight(const surface *f, vector n, vector s, vector c);
 /* The lights at whose terminator (point, normal) stands. Returns their number, at most TERMINATOR_MAX. */
 int shade_terminators(const reference_detail *d, const surface *f, vector point, vector normal,
                       int lights[TERMINATOR_MAX]);
-/* The model. Of the `count` lights listed, light k's specular term is there when bit k of `on` is set. */
+/* The model, the texture's colour being `texel`; NULL: 1. Of the `count` lights listed, light k's specular term is
+ * there when bit k of `on` is set. */
 void shade_point(const reference_detail *d, const surface *f, vector point, vector normal, const int *lights, int count,
-                 unsigned on, double rgb[3]);
+                 unsigned on, const double *texel, double rgb[3]);
 void shade_triangle(const reference_detail *d, triangle *t);
-/* The colour of a triangle at a point of its screen polygon. variant: see shade_variants(); -1: the model's own. */
+/* The colour of a triangle at a point of its screen polygon. variant: see shade_variants(); -1: the model's own. texel:
+ * the texture's colour there, NULL: as it is. */
 void shade_corner(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
-                  double rgb[3]);
+                  const double *texel, double rgb[3]);
 /* Is a place on the screen on the triangle's wire, or so near to its border that rounding may decide? */
 typedef enum wire_state { WIRE_OFF = 0, WIRE_ON = 1, WIRE_DOUBTFUL = 2 } wire_state;
 wire_state shade_wire(const reference_detail *d, const triangle *t, double x, double y);
 /* The same with the wire there or not, of a surface that may let light through: its own light, and how much passes of
  * what is behind. */
 void shade_layer(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
-                 bool wire, double rgb[3], double *through);
+                 bool wire, const double *texel, double rgb[3], double *through);
+/* The range of the texture's colours over points of the polygon, and as much beyond them as options.texels says. False:
+ * there is no texture. */
+bool shade_texels(const reference_detail *d, const triangle *t, const corner *points, int count, double least[3],
+                  double most[3]);
+/* Does the texture's colour there depend on how vertices and texture coordinates are rounded? See reference.h. */
+bool shade_texel_contested(const reference_detail *d, const triangle *t, const corner *hit);
 /* In how many ways specular terms may be there or not: 1 where no terminator is near. */
 int shade_variants(const reference_detail *d, const triangle *t, const corner *anchor);
 

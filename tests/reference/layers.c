@@ -118,7 +118,7 @@ bool layers_show(const reference_detail *d, const layer *list, int count, double
         doubt = doubt || list[k].doubtful || list[k].either_way || wire == WIRE_DOUBTFUL ||
                 shade_variants(d, t, &list[k].hit) > 1;
         if (list[k].there) {
-            shade_layer(d, t, &list[k].hit, &list[k].hit, -1, wire == WIRE_ON, own, &through);
+            shade_layer(d, t, &list[k].hit, &list[k].hit, -1, wire == WIRE_ON, NULL, own, &through);
             lay_over(rgb, own, through);
             *rounding = (*rounding + 0.5) * through;
         }
@@ -132,15 +132,18 @@ static void widen_by(const reference_detail *d, const layer *l, double x, double
     const triangle *t = &d->triangles[l->surface.triangle];
     const reference_candidate before = *range;
     corner region[MEET_REGION_MAX + 1];
-    int points = meet_region(d, t, x, y, region), variants = shade_variants(d, t, &l->hit);
+    int points = meet_region(t, x, y, d->options.edge_px, region), variants = shade_variants(d, t, &l->hit);
     wire_state wire = shade_wire(d, t, l->hit.x, l->hit.y);
+    double texel[2][3];
     bool first = !l->doubtful;
     region[points++] = l->hit;
+    bool textured = shade_texels(d, t, region, points, texel[0], texel[1]);
     for (int v = 0; v < variants * 2; v++) {
         bool on = v >= variants;
-        for (int p = 0; p < points && (wire == WIRE_DOUBTFUL || on == (wire == WIRE_ON)); p++) {
+        for (int p = 0; p < points * (textured ? 2 : 1) && (wire == WIRE_DOUBTFUL || on == (wire == WIRE_ON)); p++) {
             double own[3], through, low[3], high[3];
-            shade_layer(d, t, &region[p], &l->hit, variants > 1 ? v % variants : -1, on, own, &through);
+            shade_layer(d, t, &region[p % points], &l->hit, variants > 1 ? v % variants : -1, on,
+                        textured ? texel[p / points] : NULL, own, &through);
             memcpy(low, before.low, sizeof low);
             memcpy(high, before.high, sizeof high);
             lay_over(low, own, through);

@@ -108,9 +108,8 @@ static int cut(corner polygon[], int count, bool vertical, double sign, double l
     return n;
 }
 
-int meet_region(const reference_detail *d, const triangle *t, double x, double y, corner region[MEET_REGION_MAX])
+int meet_region(const triangle *t, double x, double y, double e, corner region[MEET_REGION_MAX])
 {
-    double e = d->options.edge_px;
     int total = 0;
     for (int k = 1; k + 1 < t->corner_count; k++) {
         corner part[MEET_REGION_MAX] = {t->corners[0], t->corners[k], t->corners[k + 1]};

@@ -25,6 +25,12 @@
  * REFERENCE_TERMINATOR: for the surface seen there, a light has |n.s| < options.terminator and its specular term, which
  * the model ends abruptly at n.s = 0, would change the colour there by more than 1/1000 code. In Gouraud shading n and
  * s are those of a corner, in flat shading those of the centroid.
+ * REFERENCE_TEXEL: the texture's colours within options.texel_px of the centre, which vertices are rounded by, and
+ * within options.texels along u and v of those, change the pixel by more than 0.3 code: on the edge between two texels
+ * (nearest), or in a steep or far reduced picture (bilinear). A candidate's texture is that of all points within e.
+ *
+ * Flat and Gouraud shading of a textured surface: the part that the texture multiplies and the rest are lit at the
+ * centroid or the corners, clamped and interpolated each by itself; the texture is sampled at each pixel.
  *
  * REFERENCE_LAYER: a surface that lets light through may cover the pixel or not, or be in front of what else is there
  * or not, by the same e and N; its one candidate is the range of all the colours that this may give. Layers are laid
@@ -48,13 +54,15 @@
 #include <glint/scene.h>
 
 /* Bits of a pixel's mask. */
-enum { REFERENCE_EDGE = 1, REFERENCE_DEPTH = 2, REFERENCE_TERMINATOR = 4, REFERENCE_LAYER = 8 };
+enum { REFERENCE_EDGE = 1, REFERENCE_DEPTH = 2, REFERENCE_TERMINATOR = 4, REFERENCE_LAYER = 8, REFERENCE_TEXEL = 16 };
 
 /* Zero fields mean the stated defaults; a negative one means zero. */
 typedef struct reference_options {
     double edge_px;     /* e: default 1/256 px */
     double depth_steps; /* N: default 2 */
     double terminator;  /* default 1e-4 */
+    double texel_px;    /* default 1/4096 px */
+    double texels;      /* default 1/4096 texel */
 } reference_options;
 
 typedef struct reference_detail reference_detail;
@@ -99,7 +107,7 @@ int reference_candidates(const reference_image *image, int x, int y, reference_c
 /* round(255 L) of every pixel, 3 bytes each: the reference as a picture. */
 void reference_codes(const reference_image *image, uint8_t *rgb8);
 
-/* The mask as a picture, 3 bytes a pixel: 255 in red, green, blue for edge, depth, terminator. */
+/* The mask as a picture, 3 bytes a pixel: 255 in red, green, blue for edge, depth, terminator or texel. */
 void reference_mask_codes(const reference_image *image, uint8_t *rgb8);
 
 typedef struct reference_verdict {
@@ -114,7 +122,7 @@ typedef struct reference_verdict {
     int worst_x, worst_y;         /* where max_codes is; -1 when all pixels are contested */
 
     /* contested pixels */
-    uint32_t contested, contested_edge, contested_depth, contested_terminator;
+    uint32_t contested, contested_edge, contested_depth, contested_terminator, contested_texel;
     double contested_share; /* of all pixels, 0..1 */
     uint32_t unmatched;     /* that agree with no candidate: a channel is outside of low..high by more than the limit
                              * and 0.5 (for the rounding to a whole code) */

@@ -11,6 +11,9 @@
 static void free_detail(reference_detail *d)
 {
     if (d) {
+        for (int i = 0; d->surfaces && i < d->surface_count; i++) {
+            free(d->surfaces[i].texture.rgb);
+        }
         free(d->triangles);
         free(d->surfaces);
         free(d->lamps);
@@ -59,9 +62,12 @@ static void draw_opaque(reference_image *image, int x, int y, size_t at, int fro
     corner hit = seen_at(d, c, x + 0.5, y + 0.5);
     image->triangle[at] = c->triangle;
     image->depth[at] = 1.0 / hit.inverse_z;
-    shade_corner(d, t, &hit, &hit, -1, &image->rgb[at * 3]);
+    shade_corner(d, t, &hit, &hit, -1, NULL, &image->rgb[at * 3]);
     if (shade_wire(d, t, hit.x, hit.y) == WIRE_DOUBTFUL) {
         image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_EDGE);
+    }
+    if (shade_texel_contested(d, t, &hit)) {
+        image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_TEXEL);
     }
     if (shade_variants(d, t, &hit) > 1) {
         image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_TERMINATOR);
@@ -87,6 +93,9 @@ static void draw_pixel(reference_image *image, int x, int y)
         if (d->layers[k].there) {
             image->triangle[at] = d->layers[k].surface.triangle;
             image->depth[at] = 1.0 / d->layers[k].hit.inverse_z;
+            if (shade_texel_contested(d, &d->triangles[d->layers[k].surface.triangle], &d->layers[k].hit)) {
+                image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_TEXEL);
+            }
         }
     }
 }
@@ -129,6 +138,8 @@ int reference_render_with(const glint_scene *scene, int width, int height, int s
     d->options.edge_px = option(options ? options->edge_px : 0.0, 1.0 / 256.0);
     d->options.depth_steps = option(options ? options->depth_steps : 0.0, 2.0);
     d->options.terminator = option(options ? options->terminator : 0.0, 1e-4);
+    d->options.texel_px = option(options ? options->texel_px : 0.0, 1.0 / 4096.0);
+    d->options.texels = option(options ? options->texels : 0.0, 1.0 / 4096.0);
 
     if (view_load(d, scene, error, error_bytes)) {
         return fail(out, error, error_bytes, NULL);
@@ -167,9 +178,11 @@ static int triangle_candidates(const reference_detail *d, const contender *c, in
 {
     const triangle *t = &d->triangles[c->triangle];
     corner region[MEET_REGION_MAX + 1], anchor = seen_at(d, c, x + 0.5, y + 0.5);
-    int points = meet_region(d, t, x + 0.5, y + 0.5, region), variants = shade_variants(d, t, &anchor);
+    int points = meet_region(t, x + 0.5, y + 0.5, d->options.edge_px, region), variants = shade_variants(d, t, &anchor);
+    double texel[2][3];
     region[points++] = anchor;
     wire_state wire = shade_wire(d, t, anchor.x, anchor.y);
+    bool textured = shade_texels(d, t, region, points, texel[0], texel[1]);
     for (int v = 0; v < variants * 2; v++) {
         bool on = v >= variants;
         if (wire != WIRE_DOUBTFUL && on != (wire == WIRE_ON)) {
@@ -177,9 +190,13 @@ static int triangle_candidates(const reference_detail *d, const contender *c, in
         }
         reference_candidate one = {c->triangle, {HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
         for (int k = 0; k < points; k++) {
-            double rgb[3], through;
-            shade_layer(d, t, &region[k], &anchor, variants > 1 ? v % variants : -1, on, rgb, &through);
-            widen(&one, rgb);
+            /* more of each channel of the texture is more of the pixel */
+            for (int m = 0; m < (textured ? 2 : 1); m++) {
+                double rgb[3], through;
+                shade_layer(d, t, &region[k], &anchor, variants > 1 ? v % variants : -1, on, textured ? texel[m] : NULL,
+                            rgb, &through);
+                widen(&one, rgb);
+            }
         }
         if (count < max) {
             out[count] = one;

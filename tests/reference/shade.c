@@ -6,6 +6,9 @@
 
 #include "internal.h"
 
+/* A texture's colour that changes the pixel by more than this is contested: see reference.h. */
+#define TEXEL_CODES 0.3
+
 static double clamp01(double v)
 {
     return v < 0.0 ? 0.0 : v > 1.0 ? 1.0 : v;
@@ -26,8 +29,9 @@ double shade_highlight(const surface *f, vector n, vector s, vector c)
     return pow(cosine > 0.0 ? cosine : 0.0, f->exponent); /* C99: pow(0, 0) is 1 */
 }
 
-void shade_point(const reference_detail *d, const surface *f, vector point, vector normal, const int *lights, int count,
-                 unsigned on, double rgb[3])
+/* The model in two parts: what a texture multiplies, and the rest. */
+static void light_parts(const reference_detail *d, const surface *f, vector point, vector normal, const int *lights,
+                        int count, unsigned on, double coloured[3], double plain[3])
 {
     vector c = unit(minus(d->eye, point));
     if (length(normal) == 0.0) {
@@ -35,13 +39,14 @@ void shade_point(const reference_detail *d, const surface *f, vector point, vect
     }
     for (int k = 0; k < 3; k++) {
         double above = dot(normal, d->up);
-        rgb[k] = f->emission[k] + f->ambient[k] + f->sky[k] * (1.0 + above) / 2.0 + f->ground[k] * (1.0 - above) / 2.0;
+        plain[k] = f->emission[k];
+        coloured[k] = f->ambient[k] + f->sky[k] * (1.0 + above) / 2.0 + f->ground[k] * (1.0 - above) / 2.0;
     }
     if (d->around.side > 0) {
         double mirrored[3];
         around_colour(&d->around, minus(times(2.0 * dot(normal, c), normal), c), mirrored);
         for (int k = 0; k < 3; k++) {
-            rgb[k] += f->mirror[k] * mirrored[k];
+            plain[k] += f->mirror[k] * mirrored[k];
         }
     }
     for (int j = 0; j < d->lamp_count; j++) {
@@ -50,7 +55,8 @@ void shade_point(const reference_detail *d, const surface *f, vector point, vect
         if (l->is_area) {
             area_mean mean = area_light(l, f, point, normal, c);
             for (int k = 0; k < 3; k++) {
-                rgb[k] += l->colour[k] * (f->diffuse[k] * mean.diffuse + f->specular[k] * mean.specular);
+                coloured[k] += l->colour[k] * f->diffuse[k] * mean.diffuse;
+                plain[k] += l->colour[k] * f->specular[k] * mean.specular;
             }
             continue;
         }
@@ -66,29 +72,56 @@ void shade_point(const reference_detail *d, const surface *f, vector point, vect
         }
         double specular = lit ? shade_highlight(f, normal, s, c) : 0.0, factor = lamp_factor(l, point, s);
         for (int k = 0; k < 3; k++) {
-            rgb[k] += factor * l->colour[k] * (f->diffuse[k] * (ns > 0.0 ? ns : 0.0) + f->specular[k] * specular);
+            coloured[k] += factor * l->colour[k] * f->diffuse[k] * (ns > 0.0 ? ns : 0.0);
+            plain[k] += factor * l->colour[k] * f->specular[k] * specular;
         }
     }
+}
+
+void shade_point(const reference_detail *d, const surface *f, vector point, vector normal, const int *lights, int count,
+                 unsigned on, const double *texel, double rgb[3])
+{
+    double coloured[3], plain[3];
+    light_parts(d, f, point, normal, lights, count, on, coloured, plain);
     for (int k = 0; k < 3; k++) {
-        rgb[k] = clamp01(rgb[k]);
+        rgb[k] = clamp01((texel ? texel[k] : 1.0) * coloured[k] + plain[k]);
+    }
+}
+
+/* For shadings that light a triangle's corners or its centroid: both parts, each clamped. Without a texture the sum. */
+static void shade_face(const reference_detail *d, const surface *f, vector point, vector normal, const int *lights,
+                       int count, unsigned on, double coloured[3], double plain[3])
+{
+    light_parts(d, f, point, normal, lights, count, on, coloured, plain);
+    for (int k = 0; k < 3; k++) {
+        if (f->texture.rgb) {
+            coloured[k] = clamp01(coloured[k]);
+            plain[k] = clamp01(plain[k]);
+        } else {
+            coloured[k] = clamp01(coloured[k] + plain[k]);
+            plain[k] = 0.0;
+        }
     }
 }
 
 int shade_terminators(const reference_detail *d, const surface *f, vector point, vector normal,
                       int lights[TERMINATOR_MAX])
 {
+    static const double black[3] = {0.0, 0.0, 0.0};
     int count = 0;
     if (length(normal) == 0.0) {
         return 0;
     }
+    /* a dark texel hides no highlight by saturation, as a light one may */
+    const double *texel = f->texture.rgb ? black : NULL;
     for (int j = 0; j < d->lamp_count && count < TERMINATOR_MAX; j++) {
         vector s;
         /* over an extended source the term ends gradually */
         if (!d->lamps[j].is_area && lamp_toward(&d->lamps[j], point, &s) &&
             fabs(dot(normal, s)) < d->options.terminator) {
             double with[3], without[3], change = 0.0;
-            shade_point(d, f, point, normal, &j, 1, 1u, with);
-            shade_point(d, f, point, normal, &j, 1, 0u, without);
+            shade_point(d, f, point, normal, &j, 1, 1u, texel, with);
+            shade_point(d, f, point, normal, &j, 1, 0u, texel, without);
             for (int k = 0; k < 3; k++) {
                 change = fmax(change, with[k] - without[k]);
             }
@@ -138,11 +171,11 @@ void shade_triangle(const reference_detail *d, triangle *t)
     t->has_terminator = false;
     if (d->shading == GLINT_SHADING_GOURAUD) {
         for (int i = 0; i < 3; i++) {
-            shade_point(d, f, t->world[i], t->normal[i], NULL, 0, 0u, t->corner_colour[i]);
+            shade_face(d, f, t->world[i], t->normal[i], NULL, 0, 0u, t->corner_colour[i], t->corner_plain[i]);
             t->has_terminator = t->has_terminator || gouraud_terminators(d, t, i, lights) > 0;
         }
     } else if (d->shading == GLINT_SHADING_FLAT) {
-        shade_point(d, f, centroid(t), t->face, NULL, 0, 0u, t->flat_colour);
+        shade_face(d, f, centroid(t), t->face, NULL, 0, 0u, t->flat_colour, t->flat_plain);
         t->has_terminator = shade_terminators(d, f, centroid(t), t->face, lights) > 0;
     }
 }
@@ -163,56 +196,103 @@ int shade_variants(const reference_detail *d, const triangle *t, const corner *a
     return 1 << count;
 }
 
-static void gouraud(const reference_detail *d, const triangle *t, const corner *where, int variant, double rgb[3])
+static void gouraud(const reference_detail *d, const triangle *t, const corner *where, int variant, double rgb[3],
+                    double plain[3])
 {
     double weight[3], sum = 0.0;
     for (int i = 0; i < 3; i++) {
         weight[i] = fmax(0.0, where->linear[i]);
         sum += weight[i];
     }
-    rgb[0] = rgb[1] = rgb[2] = 0.0;
+    rgb[0] = rgb[1] = rgb[2] = plain[0] = plain[1] = plain[2] = 0.0;
     for (int i = 0; i < 3; i++) {
-        double at_corner[3];
+        double at_corner[3], plain_there[3];
         memcpy(at_corner, t->corner_colour[i], sizeof at_corner);
+        memcpy(plain_there, t->corner_plain[i], sizeof plain_there);
         if (variant >= 0 && t->has_terminator) {
             int lights[TERMINATOR_MAX], count = gouraud_terminators(d, t, i, lights);
-            shade_point(d, &d->surfaces[t->object], t->world[i], t->normal[i], lights, count,
-                        variant >> i & 1 ? ~0u : 0u, at_corner);
+            shade_face(d, &d->surfaces[t->object], t->world[i], t->normal[i], lights, count,
+                       variant >> i & 1 ? ~0u : 0u, at_corner, plain_there);
         }
         for (int k = 0; k < 3; k++) {
             rgb[k] += weight[i] / sum * at_corner[k];
+            plain[k] += weight[i] / sum * plain_there[k];
         }
     }
 }
 
+/* Perspective-correct texture coordinates at a place on the screen. */
+static void texcoord_at(const triangle *t, const corner *where, double uv[2])
+{
+    double sum = 0.0;
+    uv[0] = uv[1] = 0.0;
+    for (int i = 0; i < 3; i++) {
+        double b = fmax(0.0, where->share[i]);
+        uv[0] += b * t->texcoord[i][0];
+        uv[1] += b * t->texcoord[i][1];
+        sum += b;
+    }
+    uv[0] /= sum;
+    uv[1] /= sum;
+}
+
+bool shade_texels(const reference_detail *d, const triangle *t, const corner *points, int count, double least[3],
+                  double most[3])
+{
+    const picture *p = &d->surfaces[t->object].texture;
+    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+    if (!p->rgb) {
+        return false;
+    }
+    for (int i = 0; i < count; i++) {
+        double uv[2];
+        texcoord_at(t, &points[i], uv);
+        for (int k = 0; k < 2; k++) {
+            low[k] = fmin(low[k], uv[k] - d->options.texels / p->size[k]);
+            high[k] = fmax(high[k], uv[k] + d->options.texels / p->size[k]);
+        }
+    }
+    picture_range(p, low, high, least, most);
+    return true;
+}
+
 /* The colour before fog. */
 static void unfogged(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor,
-                     int variant, double rgb[3])
+                     int variant, const double *texel, double rgb[3])
 {
     const surface *f = &d->surfaces[t->object];
     int lights[TERMINATOR_MAX], count = 0;
     unsigned on = (unsigned)variant;
     vector point, normal;
-    if (d->shading == GLINT_SHADING_GOURAUD) {
-        gouraud(d, t, where, variant, rgb);
-        return;
+    double sampled[3] = {1.0, 1.0, 1.0}, plain[3];
+    if (f->texture.rgb && !texel) {
+        double uv[2];
+        texcoord_at(t, where, uv);
+        picture_at(&f->texture, uv, sampled);
     }
-    if (d->shading == GLINT_SHADING_FLAT) {
-        if (variant < 0 || !t->has_terminator) {
-            memcpy(rgb, t->flat_colour, sizeof t->flat_colour);
-            return;
-        }
-        point = centroid(t);
-        normal = t->face;
-        count = shade_terminators(d, f, point, normal, lights);
-    } else {
+    texel = texel ? texel : sampled;
+    if (d->shading == GLINT_SHADING_EXACT) {
         if (variant >= 0) {
             exact_point(t, anchor, &point, &normal);
             count = shade_terminators(d, f, point, normal, lights);
         }
         exact_point(t, where, &point, &normal);
+        shade_point(d, f, point, normal, lights, count, on, texel, rgb);
+        return;
     }
-    shade_point(d, f, point, normal, lights, count, on, rgb);
+    if (d->shading == GLINT_SHADING_GOURAUD) {
+        gouraud(d, t, where, variant, rgb, plain);
+    } else if (variant < 0 || !t->has_terminator) {
+        memcpy(rgb, t->flat_colour, sizeof t->flat_colour);
+        memcpy(plain, t->flat_plain, sizeof plain);
+    } else {
+        point = centroid(t);
+        count = shade_terminators(d, f, point, t->face, lights);
+        shade_face(d, f, point, t->face, lights, count, on, rgb, plain);
+    }
+    for (int k = 0; k < 3; k++) {
+        rgb[k] = clamp01(texel[k] * rgb[k] + plain[k]);
+    }
 }
 
 /* What is mirrored at the pixel instead of let through: (1 - |n.c|)^5. */
@@ -249,10 +329,10 @@ wire_state shade_wire(const reference_detail *d, const triangle *t, double x, do
 }
 
 void shade_layer(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
-                 bool wire, double rgb[3], double *through)
+                 bool wire, const double *texel, double rgb[3], double *through)
 {
     const surface *f = &d->surfaces[t->object];
-    unfogged(d, t, where, anchor, variant, rgb);
+    unfogged(d, t, where, anchor, variant, texel, rgb);
     double grazing = f->grazes ? f->transmission * mirrored(d, t, where) : 0.0;
     *through = f->transmission - grazing;
     for (int k = 0; k < 3; k++) {
@@ -268,8 +348,25 @@ void shade_layer(const reference_detail *d, const triangle *t, const corner *whe
 }
 
 void shade_corner(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
-                  double rgb[3])
+                  const double *texel, double rgb[3])
 {
     double through;
-    shade_layer(d, t, where, anchor, variant, shade_wire(d, t, where->x, where->y) == WIRE_ON, rgb, &through);
+    shade_layer(d, t, where, anchor, variant, shade_wire(d, t, where->x, where->y) == WIRE_ON, texel, rgb, &through);
+}
+
+bool shade_texel_contested(const reference_detail *d, const triangle *t, const corner *hit)
+{
+    corner region[MEET_REGION_MAX + 1];
+    double least[3], most[3], low[3], high[3], apart = 0.0;
+    int count = meet_region(t, hit->x, hit->y, d->options.texel_px, region);
+    region[count++] = *hit;
+    if (!shade_texels(d, t, region, count, least, most)) {
+        return false;
+    }
+    shade_corner(d, t, hit, hit, -1, least, low);
+    shade_corner(d, t, hit, hit, -1, most, high);
+    for (int k = 0; k < 3; k++) {
+        apart = fmax(apart, high[k] - low[k]);
+    }
+    return apart > TEXEL_CODES / 255.0;
 }

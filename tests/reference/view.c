@@ -221,6 +221,9 @@ static void load_triangle(const reference_detail *d, triangle *t, const glint_me
         const int16_t *n = mesh->normals_q14[index[i]];
         vector normal = place_normal(place, vector_of(n[0], n[1], n[2]));
         t->normal[i] = length(normal) > 0.0 ? normal : t->face;
+        for (int k = 0; k < 2 && d->surfaces[t->object].texture.rgb; k++) {
+            t->texcoord[i][k] = ldexp(mesh->texcoords[index[i]][k], -mesh->texcoord_bits);
+        }
     }
 
     vector plane = cross(minus(p[1], p[0]), minus(p[2], p[0]));
@@ -319,6 +322,13 @@ int view_load(reference_detail *d, const glint_scene *scene, char *error, size_t
     for (int i = 0; i < d->surface_count; i++) {
         load_surface(&d->surfaces[i], scene->objects[i].material, scene);
         d->has_layers = d->has_layers || d->surfaces[i].transmission > 0.0;
+        const glint_texture *texture = scene->objects[i].material->texture;
+        if (texture && (!texture->texels || !scene->objects[i].mesh->texcoords)) {
+            return fail(error, error_bytes, "a texture with texels, and texture coordinates for it, were expected");
+        }
+        if (texture && picture_load(&d->surfaces[i].texture, texture)) {
+            return fail(error, error_bytes, "no memory for a texture");
+        }
         if (load_object(d, i, &scene->objects[i], error, error_bytes)) {
             return -1;
         }

@@ -11,6 +11,7 @@
  *     count NAME AVERAGE WORST UNIT           in tenths
  *     stack fixed|float BYTES
  *     float-frames none                       they have been left out
+ *     textured-frames none                    likewise
  *     failed TEXT
  *     end
  *
@@ -60,7 +61,11 @@ typedef struct selftest_picture {
     uint8_t shading;
 } selftest_picture;
 
-enum { SELFTEST_PICTURES = 5 };
+/* Those of textures, last, are left out where SELFTEST_TEXTURES is 0. */
+#ifndef SELFTEST_TEXTURES
+#define SELFTEST_TEXTURES 1
+#endif
+enum { SELFTEST_PICTURES = SELFTEST_TEXTURES ? 7 : 5 };
 extern const selftest_picture selftest_pictures[SELFTEST_PICTURES];
 
 #endif

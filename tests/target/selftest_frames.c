@@ -169,6 +169,11 @@ void selftest_frames(void)
         fixed_frame(&c, true);
     }
     stack("fixed");
+#if !SELFTEST_TEXTURES
+    report_begin("textured-frames");
+    report_word("none");
+    report_end();
+#endif
 #if SELFTEST_FLOAT_FRAMES
     platform_stack_paint();
     for (uint8_t i = 0; i < SELFTEST_PICTURES; i++) {

@@ -2,7 +2,7 @@
 /*
  * The self-test's second scene (the first is sphere-10x6 of examples/scenes): small, and with what the first lacks.
  * Blinn's cosine, a point light beside a directional one, unequal scale, a turned box, and a floor that runs through
- * the near plane and out of the guard band.
+ * the near plane and out of the guard band. And a third: a floor with a texture, cut by the near plane.
  */
 #include <examples/scenes/parts.h>
 
@@ -87,10 +87,64 @@ const glint_scene selftest_mirror = {
     .environment = &around,
 };
 
+#if SELFTEST_TEXTURES
+static const int16_t floor_positions[][3] GLINT_FLASH = {
+    {-16384, 0, -16384}, {-16384, 0, 16384}, {16384, 0, 16384}, {16384, 0, -16384}};
+static const int16_t floor_normals_q14[][3] GLINT_FLASH = {{0, 16384, 0}, {0, 16384, 0}, {0, 16384, 0}, {0, 16384, 0}};
+static const int16_t floor_texcoords[][2] GLINT_FLASH = {{-2048, -2048}, {-2048, 4096}, {4096, 4096}, {4096, -2048}};
+static const uint16_t floor_triangles[][3] GLINT_FLASH = {{0, 1, 2}, {0, 2, 3}};
+static const uint8_t floor_texels[] GLINT_FLASH = {0, 1, 2, 3, 2, 1, 4, 0, 2, 1, 0, 3, 4, 2, 1, 9, 0, 2, 1, 4};
+static const uint16_t floor_palette[] GLINT_FLASH = {0x39c7, 0xbdf7, 0x8b27, 0xffff, 0x5c60};
+
+static const glint_mesh floor_mesh = {
+    .positions = floor_positions,
+    .normals_q14 = floor_normals_q14,
+    .triangles = floor_triangles,
+    .vertex_count = 4,
+    .triangle_count = 2,
+    .fraction_bits = 14,
+    .texcoord_bits = 11,
+    .texcoords = floor_texcoords,
+};
+static const glint_texture floor_texture = {
+    .texels = floor_texels,
+    .palette = floor_palette,
+    .palette_count = 5,
+    .width_px = 5,
+    .height_px = 4,
+    .format = GLINT_TEXTURE_PALETTE8,
+    .filter = GLINT_BILINEAR,
+    .wrap_v = GLINT_CLAMP,
+};
+static const glint_material floor_material = {
+    .ambient = COLOUR(900, 900, 900),
+    .diffuse = COLOUR(900, 900, 900),
+    .specular = COLOUR(200, 200, 200),
+    .exponent_q4 = 30 * 16,
+    .texture = &floor_texture,
+};
+static const glint_object floor_object = {&floor_mesh, &floor_material, PLACE_SCALED(3500, 1000, 4500, 0, 0, 0)};
+
+static const glint_scene selftest_floor = {
+    .camera = &camera,
+    .objects = &floor_object,
+    .lights = lights,
+    .object_count = 1,
+    .light_count = LENGTH_OF(lights),
+    .ambient = COLOUR(130, 130, 150),
+    .background = COLOUR(100, 140, 200),
+};
+
+#endif
+
 const selftest_picture selftest_pictures[SELFTEST_PICTURES] = {
     {"sphere-exact", &demo_sphere_10x6, 48, 32, 0, GLINT_SHADING_EXACT},
     {"room-exact", &selftest_room, 48, 32, 16, GLINT_SHADING_EXACT},
     {"mirror-exact", &selftest_mirror, 48, 32, 16, GLINT_SHADING_EXACT},
     {"room-gouraud", &selftest_room, 48, 32, 7, GLINT_SHADING_GOURAUD},
     {"room-flat", &selftest_room, 48, 32, 1, GLINT_SHADING_FLAT},
+#if SELFTEST_TEXTURES
+    {"floor-exact", &selftest_floor, 48, 32, 8, GLINT_SHADING_EXACT},
+    {"floor-gouraud", &selftest_floor, 48, 32, 32, GLINT_SHADING_GOURAUD},
+#endif
 };

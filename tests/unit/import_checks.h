@@ -125,6 +125,25 @@ static inline void assert_framed(const glint_scene *scene)
     }
 }
 
+static inline void assert_same_texture(const glint_texture *a, const glint_texture *b)
+{
+    assert_int_equal(a == NULL, b == NULL);
+    if (a) {
+        const size_t texels = (size_t)a->width_px * a->height_px;
+        assert_int_equal(a->width_px, b->width_px);
+        assert_int_equal(a->height_px, b->height_px);
+        assert_int_equal(a->format, b->format);
+        assert_int_equal(a->filter, b->filter);
+        assert_int_equal(a->wrap_u, b->wrap_u);
+        assert_int_equal(a->wrap_v, b->wrap_v);
+        assert_int_equal(a->palette_count, b->palette_count);
+        assert_memory_equal(a->texels, b->texels, texels * (a->format == GLINT_TEXTURE_RGB565 ? 2 : 1));
+        if (a->palette_count > 0) {
+            assert_memory_equal(a->palette, b->palette, a->palette_count * sizeof *a->palette);
+        }
+    }
+}
+
 /* All but pointers, by value. */
 static inline void assert_same_scene(const glint_scene *a, const glint_scene *b)
 {
@@ -158,6 +177,13 @@ static inline void assert_same_scene(const glint_scene *a, const glint_scene *b)
                             x->mesh->vertex_count * sizeof *x->mesh->normals_q14);
         assert_memory_equal(x->mesh->triangles, y->mesh->triangles,
                             x->mesh->triangle_count * sizeof *x->mesh->triangles);
+        assert_same_texture(x->material->texture, y->material->texture);
+        assert_int_equal(x->mesh->texcoords == NULL, y->mesh->texcoords == NULL);
+        if (x->mesh->texcoords) {
+            assert_int_equal(x->mesh->texcoord_bits, y->mesh->texcoord_bits);
+            assert_memory_equal(x->mesh->texcoords, y->mesh->texcoords,
+                                x->mesh->vertex_count * sizeof *x->mesh->texcoords);
+        }
     }
 }
 

@@ -30,7 +30,7 @@ static const int16_t square_positions[4][3] = {
     {-4 * UNIT, -4 * UNIT, 0}, {4 * UNIT, -4 * UNIT, 0}, {4 * UNIT, 4 * UNIT, 0}, {-4 * UNIT, 4 * UNIT, 0}};
 static const int16_t square_normals[4][3] = {{0, 0, 16384}, {0, 0, 16384}, {0, 0, 16384}, {0, 0, 16384}};
 static const uint16_t square_triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
-static const glint_mesh square = {square_positions, square_normals, square_triangles, 4, 2, UNIT_BITS};
+static const glint_mesh square = {square_positions, square_normals, square_triangles, 4, 2, UNIT_BITS, 0, NULL};
 static const uint16_t one_triangle[1][3] = {{0, 1, 2}};
 
 typedef struct world {

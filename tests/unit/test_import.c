@@ -5,6 +5,8 @@
  */
 #include "tests/unit/import_checks.h"
 
+#include "tools/picture/picture.h"
+
 #ifndef GLINT_HAVE_ASSIMP
 
 static void test_without_assimp(void **state)
@@ -426,6 +428,70 @@ static void test_bright_and_flat(void **state)
     assert_non_null(strstr(error, "node 'b': its matrix is not finite"));
 }
 
+/* The texture of tests/models/flag.png: 4 x 2 texels, red first. */
+static void assert_flag(const glint_texture *texture)
+{
+    static const uint16_t colours[8] = {0xf800, 0x07e0, 0x001f, 0xffff, 0x0000, 0xffe0, 0x07ff, 0xf81f};
+    assert_non_null(texture);
+    assert_int_equal(texture->width_px, 4);
+    assert_int_equal(texture->height_px, 2);
+    assert_int_equal(texture->format, GLINT_TEXTURE_PALETTE8);
+    assert_int_equal(texture->palette_count, 8);
+    for (int i = 0; i < 8; i++) {
+        assert_int_equal(texture->palette[((const uint8_t *)texture->texels)[i]], colours[i]);
+    }
+}
+
+/* The first row is the top one: an OBJ's v = 0 is the bottom of the picture, v = 1 here. */
+static void test_textures_of_obj(void **state)
+{
+    (void)state;
+    if (!picture_has_png()) {
+        skip();
+    }
+    imported_scene *imported = import_or_fail(MODELS "textured.obj");
+    const glint_scene *scene = imported_scene_view(imported);
+    assert_int_equal(scene->object_count, 3);
+    const glint_mesh *mesh = scene->objects[0].mesh;
+    const glint_texture *texture = scene->objects[0].material->texture;
+    assert_flag(texture);
+    assert_int_equal(texture->filter, GLINT_BILINEAR);
+    assert_int_equal(texture->wrap_u, GLINT_REPEAT);
+    assert_int_equal(mesh->texcoord_bits, 13); /* the greatest is 2 */
+    for (int v = 0; v < 4; v++) {
+        assert_int_equal(mesh->texcoords[v][0], mesh->positions[v][0] > 0 ? 2 << 13 : 0);
+        assert_int_equal(mesh->texcoords[v][1], mesh->positions[v][1] > 0 ? 0 : 1 << 13);
+    }
+    assert_null(scene->objects[1].material->texture);
+    assert_true(warned(imported, "nowhere.png"));
+    assert_null(scene->objects[2].material->texture);
+    assert_null(scene->objects[2].mesh->texcoords);
+    assert_true(warned(imported, "no texture coordinates"));
+    imported_scene_free(imported);
+}
+
+/* A picture within the file, its sampler, and v as glTF counts it. */
+static void test_textures_of_gltf(void **state)
+{
+    (void)state;
+    if (!picture_has_png()) {
+        skip();
+    }
+    imported_scene *imported = import_or_fail(MODELS "textured.gltf");
+    const glint_scene *scene = imported_scene_view(imported);
+    const glint_mesh *mesh = scene->objects[0].mesh;
+    const glint_texture *texture = scene->objects[0].material->texture;
+    assert_flag(texture);
+    assert_int_equal(texture->filter, GLINT_NEAREST);
+    assert_int_equal(texture->wrap_u, GLINT_CLAMP);
+    assert_int_equal(texture->wrap_v, GLINT_REPEAT);
+    for (int v = 0; v < 4; v++) {
+        assert_int_equal(mesh->texcoords[v][0], mesh->positions[v][0] > 0 ? 1 << mesh->texcoord_bits : 0);
+        assert_int_equal(mesh->texcoords[v][1], mesh->positions[v][1] > 0 ? 0 : 1 << mesh->texcoord_bits);
+    }
+    imported_scene_free(imported);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -438,6 +504,8 @@ int main(void)
         cmocka_unit_test(test_cut_files),
         cmocka_unit_test(test_warnings),
         cmocka_unit_test(test_bright_and_flat),
+        cmocka_unit_test(test_textures_of_obj),
+        cmocka_unit_test(test_textures_of_gltf),
     };
     return cmocka_run_group_tests(tests, make_folder, NULL);
 }

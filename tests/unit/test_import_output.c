@@ -207,7 +207,8 @@ static void test_ranges(void **state)
 static void test_compiled_source(void **state)
 {
     (void)state;
-    static const char *const names[] = {"cube.obj", "corner.gltf", "tile.dae", "no-normals.obj", "rough.obj"};
+    static const char *const names[] = {"cube.obj",  "corner.gltf",  "tile.dae",     "no-normals.obj",
+                                        "rough.obj", "textured.obj", "textured.gltf"};
     for (int i = 0; i < 5; i++) {
         char arguments[2048], said[4096], command[4096], model[256];
         snprintf(model, sizeof model, MODELS "%s", names[i]);

@@ -175,6 +175,33 @@ static void test_extents_and_mirrors(void **state)
     }
 }
 
+/* A texture takes memory once, however many objects have one. */
+static void test_textures(void **state)
+{
+    static const uint16_t texel[1] = {0x8410};
+    static const int16_t texcoords[4][2] = {{0, 0}, {512, 0}, {512, 512}, {0, 512}};
+    static const glint_texture texture = {.texels = texel, .width_px = 1, .height_px = 1};
+    const glint_display display = {.width_px = BOARD_PX, .height_px = BOARD_PX};
+    board b;
+    (void)state;
+    for (int which = 0; which < BACKENDS; which++) {
+        board_set_up(&b);
+        const glint_object objects[2] = {b.object, b.object};
+        b.mesh.texcoords = texcoords; /* by themselves nothing */
+        b.mesh.texcoord_bits = 9;
+        b.scene.objects = objects;
+        b.scene.object_count = 2;
+        const size_t without = backends[which].memory_least_bytes(&b.scene, &display);
+        b.material.texture = &texture;
+        const size_t with = backends[which].memory_least_bytes(&b.scene, &display);
+        assert_in_range(with - without, 4, 4 * GLINT_TEXTURE_WORDS);
+        b.scene.object_count = 1;
+        const size_t one = backends[which].memory_least_bytes(&b.scene, &display);
+        b.material.texture = NULL;
+        assert_int_equal(one - backends[which].memory_least_bytes(&b.scene, &display), with - without);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -182,6 +209,7 @@ int main(void)
         cmocka_unit_test(test_more_triangles_than_lists_hold),
         cmocka_unit_test(test_the_longest_stride),
         cmocka_unit_test(test_extents_and_mirrors),
+        cmocka_unit_test(test_textures),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

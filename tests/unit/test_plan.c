@@ -170,11 +170,40 @@ static void test_reasons(void **state)
     assert_int_equal(of_object.sky, GLINT_NO_COMMON_COLOUR);
     assert_int_equal(of_object.ground, GLINT_LIGHT_ZERO);
     assert_int_equal(of_object.emission, GLINT_NEEDED);
-    for (int reason = GLINT_NEEDED; reason <= GLINT_IN_FRONT; reason++) {
+    for (int reason = GLINT_NEEDED; reason <= GLINT_NOTHING_TO_COLOUR; reason++) {
         assert_string_not_equal(glint_reason_text(reason), "unknown reason");
     }
     assert_string_equal(glint_reason_text(-1), "unknown reason");
-    assert_string_equal(glint_reason_text(GLINT_IN_FRONT + 1), "unknown reason");
+    assert_string_equal(glint_reason_text(GLINT_NOTHING_TO_COLOUR + 1), "unknown reason");
+}
+
+static uint8_t texture_reason(const board *b)
+{
+    glint_object_plan plan;
+    glint_plan_object(&b->scene, 0, &plan);
+    return plan.texture;
+}
+
+/* A texture is needed where an ambient or a diffuse term is, of a light that may be out of reach too. */
+static void test_reasons_of_textures(void **state)
+{
+    (void)state;
+    board b;
+    const glint_texture texture = {.width_px = 1, .height_px = 1};
+    board_set_up(&b);
+    b.material.specular = board_grey(9000);
+    assert_int_equal(texture_reason(&b), GLINT_REFLECTANCE_ZERO);
+    b.material.texture = &texture;
+    assert_int_equal(texture_reason(&b), GLINT_NOTHING_TO_COLOUR);
+    b.material.ambient = board_grey(9000);
+    assert_int_equal(texture_reason(&b), GLINT_NOTHING_TO_COLOUR);
+    b.scene.ground = board_grey(1);
+    assert_int_equal(texture_reason(&b), GLINT_NEEDED);
+    b.material.ambient = board_grey(0);
+    b.material.diffuse = board_grey(1);
+    assert_int_equal(texture_reason(&b), GLINT_NEEDED);
+    b.light[0].colour = board_grey(0);
+    assert_int_equal(texture_reason(&b), GLINT_NOTHING_TO_COLOUR);
 }
 
 int main(void)
@@ -182,6 +211,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_what_is_left_out_does_not_arrive),
         cmocka_unit_test(test_reasons),
+        cmocka_unit_test(test_reasons_of_textures),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

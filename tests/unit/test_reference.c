@@ -190,7 +190,7 @@ static void specular_ends_where_the_light_is_behind(void **state)
 static const int16_t floor_positions[3][3] = {
     {-8 * UNIT, -UNIT, 4915}, {8 * UNIT, -UNIT, 4915}, {0, -UNIT, -11 * UNIT}};
 static const int16_t floor_normals[3][3] = {{16384, 0, 0}, {0, 16384, 0}, {0, 0, 8000}};
-static const glint_mesh floor_mesh = {floor_positions, floor_normals, one_triangle, 3, 1, UNIT_BITS};
+static const glint_mesh floor_mesh = {floor_positions, floor_normals, one_triangle, 3, 1, UNIT_BITS, 0, NULL};
 #define FLOOR_END (4915.0 / UNIT)
 #define FLOOR_NEAR 1.5
 
@@ -262,7 +262,7 @@ static void gouraud_is_linear_on_the_screen(void **state)
                                             {5 * UNIT / 4, -5 * UNIT / 4, 5 * UNIT / 2},
                                             {-5 * UNIT, 5 * UNIT, -5 * UNIT}};
     static const int16_t normals[3][3] = {{16384, 0, 0}, {0, 16384, 0}, {0, 0, 16384}};
-    static const glint_mesh mesh = {positions, normals, one_triangle, 3, 1, UNIT_BITS};
+    static const glint_mesh mesh = {positions, normals, one_triangle, 3, 1, UNIT_BITS, 0, NULL};
     world w;
     (void)state;
     set_up(&w);
@@ -281,7 +281,7 @@ static void face_normal_is_used(void **state)
 {
     static const int16_t positions[3][3] = {{2 * UNIT, 0, 0}, {0, 2 * UNIT, 0}, {0, 0, 2 * UNIT}};
     static const int16_t zero[3][3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-    static const glint_mesh mesh = {positions, zero, one_triangle, 3, 1, UNIT_BITS};
+    static const glint_mesh mesh = {positions, zero, one_triangle, 3, 1, UNIT_BITS, 0, NULL};
     world w;
     (void)state;
     set_up(&w);
@@ -301,7 +301,7 @@ static void cancelling_normals_leave_the_face_normal(void **state)
 {
     static const int16_t positions[3][3] = {{-UNIT, -UNIT, 0}, {UNIT, -UNIT, 0}, {0, UNIT, 0}};
     static const int16_t normals[3][3] = {{16384, 0, 0}, {-16384, 0, 0}, {16384, 0, 0}};
-    static const glint_mesh mesh = {positions, normals, one_triangle, 3, 1, UNIT_BITS};
+    static const glint_mesh mesh = {positions, normals, one_triangle, 3, 1, UNIT_BITS, 0, NULL};
     world w;
     (void)state;
     set_up(&w);
@@ -346,7 +346,7 @@ static void stretched_sphere_has_the_ellipsoid_normals(void **state)
 {
     static const double scale[3] = {2.0, 1.0, 0.5};
     static const int16_t ball[3][3] = {{12288, 0, 10837}, {0, 12288, 10837}, {-9000, -9000, 10266}};
-    static const glint_mesh mesh = {ball, ball, one_triangle, 3, 1, 14};
+    static const glint_mesh mesh = {ball, ball, one_triangle, 3, 1, 14, 0, NULL};
     world w;
     double n[3][3], p[3][3];
     int seen = 0;
@@ -395,7 +395,7 @@ static void camera_follows_its_conventions(void **state)
 {
     static const int16_t positions[3][3] = {
         {UNIT - 90, 3 * UNIT / 2 - 90, 0}, {UNIT + 90, 3 * UNIT / 2 - 90, 0}, {UNIT, 3 * UNIT / 2 + 90, 0}};
-    static const glint_mesh mesh = {positions, square_normals, one_triangle, 3, 1, UNIT_BITS};
+    static const glint_mesh mesh = {positions, square_normals, one_triangle, 3, 1, UNIT_BITS, 0, NULL};
     world w;
     (void)state;
     set_up(&w);

@@ -135,7 +135,7 @@ static void edge_on_triangles_are_contested(void **state)
 {
     static const uint16_t turned[1][3] = {{0, 2, 1}};
     int16_t positions[3][3] = {{80, -UNIT, 0}, {80, UNIT, 0}, {97, 0, -UNIT}};
-    glint_mesh mesh = {(const int16_t(*)[3])positions, square_normals, one_triangle, 3, 1, UNIT_BITS};
+    glint_mesh mesh = {(const int16_t(*)[3])positions, square_normals, one_triangle, 3, 1, UNIT_BITS, 0, NULL};
     world w;
     reference_candidate c[4];
     int away = 0;

@@ -396,7 +396,8 @@ static void test_framing(void **state)
         const demo_scene *demo = &demo_scenes[n];
         int floor = 0;
         for (uint16_t i = 0; i < demo->scene->object_count; i++) {
-            floor |= demo->scene->objects[i].mesh == &glint_mesh_plane;
+            floor |= demo->scene->objects[i].mesh == &glint_mesh_plane ||
+                     demo->scene->objects[i].mesh == &glint_mesh_floor_1;
         }
         reference_image image;
         draw(demo->scene, demo->width_px, demo->height_px, &image);

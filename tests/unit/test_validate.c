@@ -29,6 +29,7 @@ typedef struct world {
     glint_display display;
     glint_quality quality;
     glint_transfers transfers;
+    glint_texture texture;
     const glint_scene *scene_argument;
     const glint_display *display_argument;
     const glint_quality *quality_argument;
@@ -158,6 +159,34 @@ static void set_fog(world *w, int32_t begin_q16, int32_t end_q16)
     w->b.scene.fog.end_q16 = end_q16;
 }
 
+/* A texture that is all right. */
+static glint_texture *set_texture(world *w)
+{
+    static const uint16_t texels[4] = {0, 1, 2, 3};
+    static const int16_t texcoords[4][2] = {{0, 0}, {512, 0}, {512, 512}, {0, 512}};
+    const glint_texture texture = {
+        .texels = texels, .palette = texels, .palette_count = 4, .width_px = 1, .height_px = 2};
+    w->texture = texture;
+    w->b.material.texture = &w->texture;
+    w->b.mesh.texcoords = texcoords;
+    w->b.mesh.texcoord_bits = 9;
+    return &w->texture;
+}
+
+static void set_palette(world *w, const uint16_t *palette, uint16_t count)
+{
+    set_texture(w)->format = GLINT_TEXTURE_PALETTE8;
+    w->texture.palette = palette;
+    w->texture.palette_count = count;
+}
+
+static void set_texcoords(world *w, const int16_t (*texcoords)[2], int8_t bits)
+{
+    (void)set_texture(w);
+    w->b.mesh.texcoords = texcoords;
+    w->b.mesh.texcoord_bits = bits;
+}
+
 static void set_buffers(world *w, uint8_t count, bool transfers)
 {
     w->display.buffer_count = count;
@@ -284,6 +313,21 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(fog_far, set_fog(w, 0, (1 << 30) + 1), GLINT_ERROR_FOG)                                                          \
     X(fog_red_high, (set_fog(w, 0, 1 << 16), w->b.scene.fog.colour.r_q14 = 16385), GLINT_ERROR_FOG)                    \
     X(fog_green_low, (set_fog(w, 0, 1 << 16), w->b.scene.fog.colour.g_q14 = -1), GLINT_ERROR_FOG)                      \
+    X(texture_width_0, set_texture(w)->width_px = 0, GLINT_ERROR_TEXTURE_SIZE)                                         \
+    X(texture_height_0, set_texture(w)->height_px = 0, GLINT_ERROR_TEXTURE_SIZE)                                       \
+    X(texture_width_1025, set_texture(w)->width_px = 1025, GLINT_ERROR_TEXTURE_SIZE)                                   \
+    X(texture_height_1025, set_texture(w)->height_px = 1025, GLINT_ERROR_TEXTURE_SIZE)                                 \
+    X(texture_texels_null, set_texture(w)->texels = NULL, GLINT_ERROR_TEXTURE_TEXELS)                                  \
+    X(texture_palette_null, set_palette(w, NULL, 4), GLINT_ERROR_TEXTURE_PALETTE)                                      \
+    X(texture_palette_0, set_palette(w, set_texture(w)->palette, 0), GLINT_ERROR_TEXTURE_PALETTE)                      \
+    X(texture_palette_257, set_palette(w, set_texture(w)->palette, 257), GLINT_ERROR_TEXTURE_PALETTE)                  \
+    X(texture_format_2, set_texture(w)->format = GLINT_TEXTURE_PALETTE8 + 1, GLINT_ERROR_TEXTURE_FORMAT)               \
+    X(texture_filter_2, set_texture(w)->filter = GLINT_BILINEAR + 1, GLINT_ERROR_TEXTURE_FILTER)                       \
+    X(texture_wrap_u_2, set_texture(w)->wrap_u = GLINT_CLAMP + 1, GLINT_ERROR_TEXTURE_WRAP)                            \
+    X(texture_wrap_v_2, set_texture(w)->wrap_v = GLINT_CLAMP + 1, GLINT_ERROR_TEXTURE_WRAP)                            \
+    X(texture_texcoords_null, set_texcoords(w, NULL, 9), GLINT_ERROR_TEXTURE_TEXCOORDS)                                \
+    X(texcoord_bits_8, (set_texture(w), w->b.mesh.texcoord_bits = 8), GLINT_ERROR_TEXCOORD_BITS)                       \
+    X(texcoord_bits_16, (set_texture(w), w->b.mesh.texcoord_bits = 16), GLINT_ERROR_TEXCOORD_BITS)                     \
     X(light_direction_0, w->b.light[0].direction[2] = 0, GLINT_ERROR_LIGHT_DIRECTION)                                  \
     X(light_red_low, w->b.light[0].colour.r_q14 = -1, GLINT_ERROR_LIGHT_COLOUR)                                        \
     X(light_green_low, w->b.light[1].colour.g_q14 = -1, GLINT_ERROR_LIGHT_COLOUR)                                      \
@@ -365,6 +409,11 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(panel_greatest, set_panel(w, 1 << 28, -(1 << 28), 1 << 29), GLINT_OK)                                            \
     X(radius_of_a_point, w->b.light[1].radius_q16 = -1, GLINT_OK)                                                      \
     X(samples_of_a_point, w->b.light[1].samples = 255, GLINT_OK)                                                       \
+    X(texture, (void)set_texture(w), GLINT_OK)                                                                         \
+    X(texture_palette_unused, (set_texture(w)->palette = NULL, w->texture.palette_count = 999), GLINT_OK)              \
+    X(texture_palette_256, set_palette(w, set_texture(w)->palette, 256), GLINT_OK)                                     \
+    X(texcoord_bits_15, (set_texture(w), w->b.mesh.texcoord_bits = 15), GLINT_OK)                                      \
+    X(texcoords_unused, (set_texcoords(w, NULL, 99), w->b.material.texture = NULL), GLINT_OK)                          \
     X(light_black, w->b.light[0].colour = board_grey(0), GLINT_OK)                                                     \
     X(light_direction_longest, board_light(&w->b, 0, INT16_MIN, INT16_MIN, INT16_MIN), GLINT_OK)                       \
     X(light_direction_of_a_point, w->b.light[1].direction[2] = 0, GLINT_OK)                                            \
@@ -564,12 +613,14 @@ static void expect_words_bound(const demo_scene *demo, const glint_display *d)
 {
     const glint_scene *const scene = demo->scene;
     uint32_t vertices = 0, triangles = 0, lights = 0, reaches = 0, mirrors = 0;
+    bool textured = false;
     for (uint16_t i = 0; i < scene->object_count; i++) {
         vertices += scene->objects[i].mesh->vertex_count;
         const glint_material *material = scene->objects[i].material;
         const bool twice = material->transmission_q14 != 0 && material->sides != GLINT_FRONT_SIDE;
         triangles += scene->objects[i].mesh->triangle_count * (twice ? 2u : 1u);
         mirrors += material->mirror.r_q14 != 0;
+        textured = textured || material->texture != NULL;
     }
     for (uint16_t i = 0; i < scene->light_count; i++) {
         const glint_light *light = &scene->lights[i];
@@ -583,7 +634,8 @@ static void expect_words_bound(const demo_scene *demo, const glint_display *d)
     const size_t bound =
         (size_t)4 * (GLINT_MEMORY_WORDS(d->width_px, d->height_px, d->band_px, d->format, d->buffer_count, vertices,
                                         triangles, scene->object_count, lights) +
-                     scene->object_count * reaches * GLINT_REACH_WORDS + mirrors * GLINT_MIRROR_WORDS);
+                     scene->object_count * reaches * GLINT_REACH_WORDS + mirrors * GLINT_MIRROR_WORDS +
+                     (textured ? GLINT_TEXTURE_WORDS : 0));
     const double more = WORDS_A_LIGHT * lights * scene->object_count;
     for (int b = 0; b < BACKENDS; b++) {
         const size_t bytes = backends[b].memory_bytes(scene, d);

@@ -66,7 +66,7 @@ static bool has(const variant *v, const glint_scene *scene)
     for (uint16_t i = 0; i < scene->object_count; i++) {
         const glint_material *m = scene->objects[i].material;
         all = all && (v->specular || black(&m->specular)) && black(&m->mirror) && m->sides == GLINT_FRONT_SIDE &&
-              m->transmission_q14 == 0 && m->wire_width_q4 == 0;
+              m->transmission_q14 == 0 && m->wire_width_q4 == 0 && m->texture == NULL;
     }
     return all;
 }

@@ -20,7 +20,7 @@ const fs = require('fs');
 const path = require('path');
 const { spawnSync } = require('child_process');
 
-const FLASH_BYTES = 256 * 1024; // cortex_m.ld
+const FLASH_BYTES = 512 * 1024; // COST_LINK of cost.mk
 const RAM_START = 0x20000000;
 const SYS_WRITE0 = 0x04, SYS_EXIT = 0x18, SYS_ELAPSED = 0x30;
 const MOST_CYCLES = 20e9; // a program that has not ended by then hangs

@@ -184,7 +184,7 @@ int import_scene(const char *path, imported_scene **out, char *error, size_t err
 {
     *out = NULL;
     char reason[1024] = "";
-    importer import = {.error = reason, .error_bytes = sizeof reason, .world_scale = 1};
+    importer import = {.error = reason, .error_bytes = sizeof reason, .world_scale = 1, .path = path};
     import.out = store_new();
     int result = import.out ? check_path(&import, path) : fail_memory(&import);
     if (!result) {

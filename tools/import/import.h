@@ -6,8 +6,8 @@
  * quantity in them is in the table of tools/import/README.md. Built without assimp (GLINT_HAVE_ASSIMP not defined),
  * import_scene() always fails, with a message that names the package to install.
  *
- * Limits: static geometry only, one camera, point and directional lights, no textures and no transparency; what is
- * left out is told as a warning. Not for several threads at once, as assimp's log streams are global.
+ * Limits: static geometry only, one camera, textures of the diffuse colour only, no transparency; what is left out is
+ * told as a warning. Not for several threads at once, as assimp's log streams are global.
  */
 #ifndef GLINT_TOOLS_IMPORT_H
 #define GLINT_TOOLS_IMPORT_H
@@ -25,7 +25,7 @@ typedef struct imported_scene imported_scene;
 typedef struct import_report {
     uint32_t meshes, objects, materials, lights;
     uint64_t vertices, triangles; /* in the meshes; one that is used twice counts once */
-    uint64_t flash_bytes;         /* of positions, normals and triangles */
+    uint64_t flash_bytes;         /* of positions, normals, texture coordinates, triangles and textures */
 
     /* Distance from the position in the file to the quantised one, over all vertices, and the same relative to the
      * diagonal of the bounding box of the mesh. Normals: the angle to the unit normal of the file. */

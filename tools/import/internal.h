@@ -83,6 +83,7 @@ typedef struct view {
 typedef enum file_kind { FILE_OBJ, FILE_GLTF, FILE_COLLADA } file_kind;
 
 typedef struct importer {
+    const char *path;
     const struct aiScene *file;
     file_kind kind;
     bool index_out_of_range; /* said assimp's log */
@@ -134,6 +135,12 @@ int place_objects(importer *import);
 
 /* materials.c: by number in the file; NULL for those that no object uses. The array belongs to the scene. */
 int make_materials(importer *import, const glint_material *const **by_number);
+
+/* textures.c */
+struct aiMaterial;
+bool has_texture(const struct aiMaterial *material);
+/* The texture of a material called `name`; NULL where it has none that can be read, with a warning if it has one. */
+int make_texture(importer *import, const struct aiMaterial *material, const char *name, const glint_texture **result);
 
 /* lights.c */
 int make_lights(importer *import);

@@ -5,7 +5,7 @@
  *
  * OBJ:      Ka, Kd, Ks, Ns. `illum 0` and `1` (assimp's value also where there is none) have no specular term.
  * COLLADA:  ambient, diffuse, specular, shininess; blinn is GLINT_BLINN, lambert and constant have no specular term.
- * glTF:     with base colour c, metallic m and roughness r (pbrMetallicRoughness; textures are not read):
+ * glTF:     with base colour c, metallic m and roughness r (pbrMetallicRoughness; of the textures that of c is read):
  *
  *     r_a = c,  r_d = c (1 - m),  F = 0.04 (1 - m) + c m
  *     alpha = 2 / r^4 - 2, at most GLINT_MAX_EXPONENT,  r_s = min(1, F (alpha + 8) / 8),  GLINT_BLINN
@@ -91,10 +91,11 @@ static void warn_of_rest(importer *import, const struct aiMaterial *material, co
 {
     unsigned textures = 0;
     for (int type = aiTextureType_DIFFUSE; type <= AI_TEXTURE_TYPE_MAX; type++) {
-        textures += aiGetMaterialTextureCount(material, (enum aiTextureType)type);
+        const bool colours = type == aiTextureType_DIFFUSE || type == aiTextureType_BASE_COLOR;
+        textures += colours ? 0 : aiGetMaterialTextureCount(material, (enum aiTextureType)type);
     }
     if (textures) {
-        store_warn(import->out, "material '%s': textures are ignored", name);
+        store_warn(import->out, "material '%s': textures other than of the diffuse colour are ignored", name);
     }
     double opacity = 1;
     if (get_number(material, AI_MATKEY_OPACITY, &opacity) && opacity < 1) {
@@ -179,6 +180,12 @@ static int make_material(importer *import, const struct aiMaterial *material, gl
         from_phong(import, material, name, &values);
     }
     get_colour(material, AI_MATKEY_COLOR_EMISSIVE, values.emission);
+    if (make_texture(import, material, name, &result->texture)) {
+        return -1;
+    }
+    if (result->texture && import->kind == FILE_COLLADA) { /* a texture stands in the place of the colour */
+        values.diffuse[0] = values.diffuse[1] = values.diffuse[2] = 1;
+    }
     const double *const parts[PARTS] = {values.ambient, values.diffuse, values.specular, values.emission};
     glint_colour *const colours[PARTS] = {&result->ambient, &result->diffuse, &result->specular, &result->emission};
     for (int i = 0; i < PARTS; i++) {

@@ -130,6 +130,18 @@ static void make_place(const importer *import, const instance *use, const quanti
     }
 }
 
+/* A mesh without texture coordinates is drawn in its material's plain colours. NULL without memory. */
+static const glint_material *without_texture(importer *import, const glint_material *material, const char *node)
+{
+    glint_material *plain = store_take(import->out, 1, sizeof *plain);
+    if (plain) {
+        *plain = *material;
+        plain->texture = NULL;
+        store_warn(import->out, "node '%s': drawn without its texture: the mesh has no texture coordinates", node);
+    }
+    return plain;
+}
+
 static int make_objects(importer *import, const glint_material *const *materials)
 {
     import_report *report = &import->out->report;
@@ -153,9 +165,15 @@ static int make_objects(importer *import, const glint_material *const *materials
             store_warn(import->out, "node '%s': its matrix flattens the object, which is left out", use->name);
             continue;
         }
+        const glint_material *material = materials[import->file->mMeshes[use->mesh]->mMaterialIndex];
+        if (mesh->part_count && material->texture && !mesh->parts->texcoords) {
+            material = without_texture(import, material, use->name);
+            if (!material) {
+                return fail_memory(import);
+            }
+        }
         for (unsigned part = 0; part < mesh->part_count; part++) {
-            objects[report->objects++] =
-                (glint_object){&mesh->parts[part], materials[import->file->mMeshes[use->mesh]->mMaterialIndex], place};
+            objects[report->objects++] = (glint_object){&mesh->parts[part], material, place};
         }
     }
     if (!report->objects) {
@@ -175,6 +193,7 @@ static void count_meshes(importer *import)
             report->meshes++;
             report->vertices += mesh->vertex_count;
             report->triangles += mesh->triangle_count;
+            report->flash_bytes += mesh->texcoords ? mesh->vertex_count * sizeof *mesh->texcoords : 0;
             report->flash_bytes += mesh->vertex_count * (sizeof *mesh->positions + sizeof *mesh->normals_q14) +
                                    mesh->triangle_count * sizeof *mesh->triangles;
         }

@@ -140,9 +140,10 @@ static void choose_grids(importer *import)
     }
 }
 
-/* A joined vertex of a mesh: position and normal, the key of the joining. */
+/* A joined vertex of a mesh: position, normal and texture coordinates, the key of the joining. */
+enum { TEXCOORD = 6, VALUES = 8 };
 typedef struct joined_vertex {
-    int16_t value[6];
+    int16_t value[VALUES];
 } joined_vertex;
 
 typedef struct workspace {
@@ -154,6 +155,9 @@ typedef struct workspace {
     uint32_t (*triangles)[3]; /* of joined vertices */
     size_t triangle_count;
     uint64_t zero_normals;
+    bool textured;
+    int texcoord_bits;
+    double greatest_texcoord;
 } workspace;
 
 static void workspace_free(workspace *work)
@@ -183,11 +187,41 @@ static bool workspace_allocate(workspace *work, const struct aiMesh *mesh)
     return true;
 }
 
+/* assimp counts v upwards, whatever the file does. What is not finite is 0. */
+static void texcoord_of(const struct aiMesh *mesh, unsigned vertex, double uv[2])
+{
+    uv[0] = (double)mesh->mTextureCoords[0][vertex].x;
+    uv[1] = 1 - (double)mesh->mTextureCoords[0][vertex].y;
+    for (int k = 0; k < 2; k++) {
+        uv[k] = isfinite(uv[k]) ? uv[k] : 0;
+    }
+}
+
+/* Texture coordinates are kept where the material has a texture, with as many bits as they leave room for. */
+static void measure_texcoords(importer *import, workspace *work, const struct aiMesh *mesh)
+{
+    work->textured = mesh->mTextureCoords[0] && has_texture(import->file->mMaterials[mesh->mMaterialIndex]);
+    for (unsigned v = 0; work->textured && v < mesh->mNumVertices; v++) {
+        double uv[2];
+        texcoord_of(mesh, v, uv);
+        work->greatest_texcoord = fmax(work->greatest_texcoord, fmax(fabs(uv[0]), fabs(uv[1])));
+    }
+    work->texcoord_bits = GLINT_MAX_TEXCOORD_BITS;
+    while (work->texcoord_bits > GLINT_LEAST_TEXCOORD_BITS &&
+           ldexp(work->greatest_texcoord, work->texcoord_bits) > INT16_MAX) {
+        work->texcoord_bits--;
+    }
+    if (ldexp(work->greatest_texcoord, work->texcoord_bits) > INT16_MAX + 1.0) {
+        store_warn(import->out, "mesh '%s': texture coordinates of %g are limited to 64", name_of(&mesh->mName),
+                   work->greatest_texcoord);
+    }
+}
+
 /* The joined vertex that equals `vertex` in all bits, made when there is none yet. */
 static uint32_t join(workspace *work, const joined_vertex *vertex)
 {
-    uint32_t hash = 2166136261u; /* FNV-1a over the six values */
-    for (int k = 0; k < 6; k++) {
+    uint32_t hash = 2166136261u; /* FNV-1a over the values */
+    for (int k = 0; k < VALUES; k++) {
         hash = (hash ^ (uint16_t)vertex->value[k]) * 16777619u;
     }
     size_t slot = (hash ^ (hash >> 15)) & work->table_mask;
@@ -253,6 +287,13 @@ static uint32_t quantise_vertex(importer *import, workspace *work, const struct 
             work->zero_normals++;
         }
     }
+    if (work->textured) {
+        double uv[2];
+        texcoord_of(mesh, index, uv);
+        for (int k = 0; k < 2; k++) {
+            vertex.value[TEXCOORD + k] = (int16_t)to_fixed(uv[k], ldexp(1, work->texcoord_bits), INT16_MAX);
+        }
+    }
     return work->joined_of[index] = join(work, &vertex);
 }
 
@@ -291,9 +332,11 @@ static int cut_parts(importer *import, const workspace *work, quantised *result)
         }
         int16_t(*positions)[3] = store_take(import->out, vertices, sizeof *positions);
         int16_t(*normals)[3] = store_take(import->out, vertices, sizeof *normals);
+        int16_t(*texcoords)[2] = work->textured ? store_take(import->out, vertices, sizeof *texcoords) : NULL;
         uint16_t(*triangles)[3] = store_take(import->out, next - first, sizeof *triangles);
         void *grown = parts;
-        memory = positions && normals && triangles && store_grow(&grown, result->part_count, &room, sizeof *parts);
+        memory = positions && normals && triangles && (texcoords || !work->textured) &&
+                 store_grow(&grown, result->part_count, &room, sizeof *parts);
         parts = grown;
         if (!memory) {
             break;
@@ -301,6 +344,9 @@ static int cut_parts(importer *import, const workspace *work, quantised *result)
         for (uint32_t v = 0; v < vertices; v++) {
             memcpy(positions[v], &work->vertices[order[v]].value[0], sizeof positions[v]);
             memcpy(normals[v], &work->vertices[order[v]].value[3], sizeof normals[v]);
+            if (texcoords) {
+                memcpy(texcoords[v], &work->vertices[order[v]].value[TEXCOORD], sizeof texcoords[v]);
+            }
         }
         for (size_t t = first; t < next; t++) {
             for (int k = 0; k < 3; k++) {
@@ -311,7 +357,9 @@ static int cut_parts(importer *import, const workspace *work, quantised *result)
                                                    .normals_q14 = (const int16_t(*)[3])normals,
                                                    .triangles = (const uint16_t(*)[3])triangles,
                                                    .vertex_count = (uint16_t)vertices,
-                                                   .triangle_count = (uint16_t)(next - first)};
+                                                   .triangle_count = (uint16_t)(next - first),
+                                                   .texcoord_bits = (int8_t)(texcoords ? work->texcoord_bits : 0),
+                                                   .texcoords = (const int16_t(*)[2])texcoords};
     }
     if (memory) {
         result->parts = store_take(import->out, result->part_count, sizeof *parts);
@@ -362,6 +410,7 @@ static int quantise_mesh(importer *import, const struct aiMesh *mesh, quantised 
 
     workspace work = {0};
     int status = workspace_allocate(&work, mesh) ? 0 : fail_memory(import);
+    measure_texcoords(import, &work, mesh);
     uint64_t dropped = 0;
     for (unsigned f = 0; !status && f < mesh->mNumFaces; f++) {
         const struct aiFace *face = &mesh->mFaces[f];

@@ -31,16 +31,28 @@ static void write_comment(FILE *file, const char *text)
     fputs(" */\n", file);
 }
 
-/* Writes rows of three numbers, several on a line. */
+/* Writes rows of `width` numbers, 1 to 3, several on a line. */
 static void write_rows(FILE *file, const char *type, const char *prefix, const char *name, size_t number, size_t count,
-                       long (*value)(const void *rows, size_t row, int k), const void *rows)
+                       int width, long (*value)(const void *rows, size_t row, int k), const void *rows)
 {
-    fprintf(file, "static const %s %s_%s_%zu[%zu][3] GLINT_FLASH = {", type, prefix, name, number, count);
+    char columns[4] = "";
+    if (width > 1) {
+        snprintf(columns, sizeof columns, "[%d]", width);
+    }
+    fprintf(file, "static const %s %s_%s_%zu[%zu]%s GLINT_FLASH = {", type, prefix, name, number, count, columns);
     int column = LINE_WIDTH;
     for (size_t row = 0; row < count; row++) {
-        char text[64];
-        int length = snprintf(text, sizeof text, "{%ld, %ld, %ld}%s", value(rows, row, 0), value(rows, row, 1),
-                              value(rows, row, 2), row + 1 < count ? "," : "");
+        char text[96];
+        int length = 0;
+        for (int k = 0; k < width; k++) {
+            length += snprintf(text + length, sizeof text - (size_t)length, "%s%ld",
+                               k > 0       ? ", "
+                               : width > 1 ? "{"
+                                           : "",
+                               value(rows, row, k));
+        }
+        length += snprintf(text + length, sizeof text - (size_t)length, "%s%s", width > 1 ? "}" : "",
+                           row + 1 < count ? "," : "");
         if (column + length + 1 > LINE_WIDTH) {
             fputs("\n    ", file);
             column = 4;
@@ -64,18 +76,70 @@ static long value_uint16(const void *rows, size_t row, int k)
     return ((const uint16_t(*)[3])rows)[row][k];
 }
 
+static long value_texcoord(const void *rows, size_t row, int k)
+{
+    return ((const int16_t(*)[2])rows)[row][k];
+}
+
+static long value_word(const void *rows, size_t row, int k)
+{
+    (void)k;
+    return ((const uint16_t *)rows)[row];
+}
+
+static long value_byte(const void *rows, size_t row, int k)
+{
+    (void)k;
+    return ((const uint8_t *)rows)[row];
+}
+
+static void write_texture(FILE *file, const char *prefix, size_t number, const glint_texture *texture)
+{
+    const size_t texels = (size_t)texture->width_px * texture->height_px;
+    const bool palette = texture->format == GLINT_TEXTURE_PALETTE8;
+    write_rows(file, palette ? "uint8_t" : "uint16_t", prefix, "texels", number, texels, 1,
+               palette ? value_byte : value_word, texture->texels);
+    if (palette) {
+        write_rows(file, "uint16_t", prefix, "palette", number, texture->palette_count, 1, value_word,
+                   texture->palette);
+    }
+    fprintf(file, "static const glint_texture %s_texture_%zu = {\n    .texels = %s_texels_%zu,\n", prefix, number,
+            prefix, number);
+    if (palette) {
+        fprintf(file, "    .palette = %s_palette_%zu,\n    .palette_count = %u,\n", prefix, number,
+                (unsigned)texture->palette_count);
+    }
+    fprintf(file,
+            "    .width_px = %u,\n    .height_px = %u,\n    .format = %s,\n    .filter = %s,\n    .wrap_u = %s,\n    "
+            ".wrap_v = %s,\n};\n\n",
+            (unsigned)texture->width_px, (unsigned)texture->height_px,
+            palette ? "GLINT_TEXTURE_PALETTE8" : "GLINT_TEXTURE_RGB565",
+            texture->filter == GLINT_NEAREST ? "GLINT_NEAREST" : "GLINT_BILINEAR",
+            texture->wrap_u == GLINT_CLAMP ? "GLINT_CLAMP" : "GLINT_REPEAT",
+            texture->wrap_v == GLINT_CLAMP ? "GLINT_CLAMP" : "GLINT_REPEAT");
+}
+
 static void write_mesh(FILE *file, const char *prefix, size_t number, const glint_mesh *mesh)
 {
-    write_rows(file, "int16_t", prefix, "positions", number, mesh->vertex_count, value_int16, mesh->positions);
-    write_rows(file, "int16_t", prefix, "normals_q14", number, mesh->vertex_count, value_int16, mesh->normals_q14);
-    write_rows(file, "uint16_t", prefix, "triangles", number, mesh->triangle_count, value_uint16, mesh->triangles);
+    write_rows(file, "int16_t", prefix, "positions", number, mesh->vertex_count, 3, value_int16, mesh->positions);
+    write_rows(file, "int16_t", prefix, "normals_q14", number, mesh->vertex_count, 3, value_int16, mesh->normals_q14);
+    write_rows(file, "uint16_t", prefix, "triangles", number, mesh->triangle_count, 3, value_uint16, mesh->triangles);
+    if (mesh->texcoords) {
+        write_rows(file, "int16_t", prefix, "texcoords", number, mesh->vertex_count, 2, value_texcoord,
+                   mesh->texcoords);
+    }
     fprintf(
         file,
         "static const glint_mesh %s_mesh_%zu = {\n    .positions = %s_positions_%zu,\n    .normals_q14 = "
         "%s_normals_q14_%zu,\n    .triangles = %s_triangles_%zu,\n    .vertex_count = %u,\n    .triangle_count = %u,\n"
-        "    .fraction_bits = %d,\n};\n\n",
+        "    .fraction_bits = %d,\n",
         prefix, number, prefix, number, prefix, number, prefix, number, (unsigned)mesh->vertex_count,
         (unsigned)mesh->triangle_count, (int)mesh->fraction_bits);
+    if (mesh->texcoords) {
+        fprintf(file, "    .texcoord_bits = %d,\n    .texcoords = %s_texcoords_%zu,\n", (int)mesh->texcoord_bits,
+                prefix, number);
+    }
+    fputs("};\n\n", file);
 }
 
 static void write_colour(FILE *file, const char *indent, const char *field, const glint_colour *colour)
@@ -90,13 +154,20 @@ static void write_int32s(FILE *file, const char *indent, const char *field, cons
 
 static void write_material(FILE *file, const char *prefix, size_t number, const glint_material *material)
 {
+    if (material->texture) {
+        write_texture(file, prefix, number, material->texture);
+    }
     fprintf(file, "static const glint_material %s_material_%zu = {\n", prefix, number);
     write_colour(file, "    ", "ambient", &material->ambient);
     write_colour(file, "    ", "diffuse", &material->diffuse);
     write_colour(file, "    ", "specular", &material->specular);
     write_colour(file, "    ", "emission", &material->emission);
-    fprintf(file, "    .exponent_q4 = %u,\n    .specular_model = %s,\n};\n\n", (unsigned)material->exponent_q4,
+    fprintf(file, "    .exponent_q4 = %u,\n    .specular_model = %s,\n", (unsigned)material->exponent_q4,
             material->specular_model == GLINT_BLINN ? "GLINT_BLINN" : "GLINT_PHONG");
+    if (material->texture) {
+        fprintf(file, "    .texture = &%s_texture_%zu,\n", prefix, number);
+    }
+    fputs("};\n\n", file);
 }
 
 static void write_object(FILE *file, const char *prefix, const glint_object *object, size_t mesh, size_t material)

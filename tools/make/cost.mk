@@ -107,7 +107,8 @@ ifdef COST
 COST_PLATFORM_cost := $(firstword $($(COST)_GLUE))
 COST_START := $(wordlist 2,9,$($(COST)_GLUE))
 ifneq ($(filter m%,$(COST)),)
-COST_LINK = $(m3_SCRIPT) -Wl,--defsym=link_ram_bytes=$(COST_RAM_$*)
+# Both backends and all scenes at -O2: more than 256 KB.
+COST_LINK = $(m3_SCRIPT) -Wl,--defsym=link_flash_bytes=512K,--defsym=link_ram_bytes=$(COST_RAM_$*)
 else ifeq ($(COST),rv32imac)
 COST_LINK = -nostartfiles -T $(B)/riscv.ld
 $(B)/cost.elf: $(B)/riscv.ld

@@ -31,7 +31,7 @@ test-clang: ## The tests with clang
 	@+$(SUBMAKE) B=$(B)/clang CC=clang run-tests
 
 # Tables and meshes are data: generated, long, and checked against their generators instead.
-CHECKED_SOURCES := $(filter-out src/number/tables.c examples/meshes/%,$(ALL_SOURCES) $(TARGET_SOURCES))
+CHECKED_SOURCES := $(filter-out src/number/tables.c examples/meshes/% examples/textures/%,$(ALL_SOURCES) $(TARGET_SOURCES))
 FORMATTED := $(sort $(CHECKED_SOURCES) \
 	$(foreach folder,include src tools tests examples,$(call rwildcard,$(folder),%.h %.inc)))
 
@@ -78,13 +78,16 @@ cppcheck: ## cppcheck over library, tools, examples and tests
 
 # Generated files are what their generators print today.
 .PHONY: generated-check
-generated-check: $(B)/generate-tables $(MESH_GENERATOR) ## Generated tables and meshes are what their generators make
+generated-check: $(B)/generate-tables $(B)/generate-textures $(MESH_GENERATOR) ## Generated tables, meshes and textures are what their generators make
 	@tools/check-generated.sh $(B) $(MESH_GENERATOR)
 
 .PHONY: generate
-generate: $(B)/generate-tables $(MESH_GENERATOR) ## Make the generated tables and meshes again, in place
+generate: $(B)/generate-tables $(B)/generate-textures $(MESH_GENERATOR) ## Make the generated tables, meshes and textures again, in place
 	$(B)/generate-tables > $(B)/tables.c && cp $(B)/tables.c src/number/tables.c
 	tools/mesh/regenerate.sh $(MESH_GENERATOR) examples/meshes
+	for name in tiles planks globe; do \
+		$(B)/generate-textures $$name > $(B)/$$name.c && cp $(B)/$$name.c examples/textures/$$name.c || exit 1; \
+	done
 
 .PHONY: consumer-check
 consumer-check: ## A C and a C++ program build against the installed library through pkg-config

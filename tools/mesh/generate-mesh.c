@@ -26,10 +26,12 @@ typedef struct command {
 static const command commands[] = {
     {"sphere", 2, {{"SECTORS", 3}, {"STACKS", 2}}},
     {"bowl", 2, {{"SECTORS", 3}, {"STACKS", 1}}},
+    {"globe", 2, {{"SECTORS", 3}, {"STACKS", 2}}},
     {"teapot", 1, {{"DIVISIONS", 4}}},
     {"torus-knot", 4, {{"P", 1}, {"Q", 1}, {"SEGMENTS", 3}, {"SIDES", 3}}},
     {"box", 0, {{NULL, 0}}},
     {"plane", 1, {{"CELLS", 1}}},
+    {"floor", 2, {{"CELLS", 1}, {"REPEATS", 1}}},
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
@@ -87,6 +89,15 @@ static int make(const command *c, const int numbers[4], shape *mesh)
         shape_sphere(mesh, numbers[0], numbers[1]);
     } else if (strcmp(c->name, "bowl") == 0) {
         shape_bowl(mesh, numbers[0], numbers[1]);
+    } else if (strcmp(c->name, "globe") == 0) {
+        shape_globe(mesh, numbers[0], numbers[1]);
+    } else if (strcmp(c->name, "floor") == 0) {
+        if (numbers[1] > 63) {
+            fprintf(stderr, "generate-mesh: REPEATS is %d, expected 1 to 63, for texture coordinates of 9 bits\n",
+                    numbers[1]);
+            return 2;
+        }
+        shape_floor(mesh, numbers[0], numbers[1]);
     } else if (strcmp(c->name, "teapot") == 0) {
         shape_teapot(mesh, numbers[0]);
     } else if (strcmp(c->name, "torus-knot") == 0) {

@@ -17,13 +17,14 @@ static const double weld_degrees = 1.0;
 typedef struct quantised {
     int16_t position[3];
     int16_t normal_q14[3];
+    int16_t texcoord[2];
 } quantised;
 
 typedef struct built {
     quantised *vertices;
     uint16_t (*triangles)[3];
     size_t vertex_count, triangle_count;
-    int fraction_bits;
+    int fraction_bits, texcoord_bits;
     double position_error; /* model units, greatest distance */
     double normal_error;   /* degrees */
     double weld_error;     /* degrees between normals that became one */
@@ -53,6 +54,20 @@ static int choose_fraction_bits(const shape *mesh)
     return bits;
 }
 
+/* The same for texture coordinates. */
+static int choose_texcoord_bits(const shape *mesh)
+{
+    double greatest = 0.0;
+    for (size_t v = 0; v < mesh->point_count; v++) {
+        greatest = fmax(greatest, fmax(fabs(mesh->points[v].texcoord[0]), fabs(mesh->points[v].texcoord[1])));
+    }
+    int bits = GLINT_MAX_TEXCOORD_BITS;
+    while (bits > GLINT_LEAST_TEXCOORD_BITS && floor(ldexp(greatest, bits) + 0.5) > INT16_MAX) {
+        bits--;
+    }
+    return bits;
+}
+
 /*
  * value * 2^bits to the nearest whole number, halves away from zero. What differs only in the last places of double
  * precision (the two sides of a mirror plane, the mathematics library of another system) rounds to the same: the value
@@ -73,6 +88,9 @@ static quantised quantise(const shape_point *point, built *mesh)
         off[k] = ldexp((double)q.position[k], -mesh->fraction_bits) - point->position[k];
         back[k] = q.normal_q14[k];
     }
+    for (int k = 0; k < 2; k++) {
+        q.texcoord[k] = rounded(point->texcoord[k], mesh->texcoord_bits);
+    }
     mesh->position_error = fmax(mesh->position_error, sqrt(shape_dot(off, off)));
     mesh->normal_error = fmax(mesh->normal_error, degrees_between(back, point->normal));
     return q;
@@ -86,7 +104,8 @@ static void weld(const shape *from, built *mesh, uint32_t *vertex_of, uint32_t *
         size_t v = 0;
         double apart = 0.0;
         for (; v < mesh->vertex_count; v++) {
-            if (memcmp(q.position, mesh->vertices[v].position, sizeof q.position) == 0) {
+            if (memcmp(q.position, mesh->vertices[v].position, sizeof q.position) == 0 &&
+                memcmp(q.texcoord, mesh->vertices[v].texcoord, sizeof q.texcoord) == 0) {
                 apart = degrees_between(from->points[p].normal, from->points[first_point[v]].normal);
                 if (apart <= weld_degrees) {
                     break;
@@ -118,7 +137,13 @@ static void area_vector(const built *mesh, const uint32_t t[3], double out[3])
     }
 }
 
-/* Takes over the triangles that still have three vertices. Returns 0, or 1 with a message. */
+/* Vertices of one position: one vertex, or two that differ in their texture coordinates or normals. */
+static int same_place(const built *mesh, uint32_t a, uint32_t b)
+{
+    return memcmp(mesh->vertices[a].position, mesh->vertices[b].position, sizeof mesh->vertices[a].position) == 0;
+}
+
+/* Takes over the triangles that still have three corners. Returns 0, or 1 with a message. */
 static int take_triangles(const shape *from, built *mesh, const uint32_t *vertex_of)
 {
     for (size_t n = 0; n < from->triangle_count; n++) {
@@ -126,7 +151,7 @@ static int take_triangles(const shape *from, built *mesh, const uint32_t *vertex
         for (int k = 0; k < 3; k++) {
             t[k] = vertex_of[from->triangles[n][k]];
         }
-        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+        if (same_place(mesh, t[0], t[1]) || same_place(mesh, t[1], t[2]) || same_place(mesh, t[2], t[0])) {
             continue;
         }
         double area[3];
@@ -156,19 +181,22 @@ static int take_triangles(const shape *from, built *mesh, const uint32_t *vertex
 }
 
 static void print_int16s(FILE *out, const char *name, const char *what, const quantised *vertices, size_t count,
-                         size_t offset)
+                         size_t offset, int width)
 {
-    fprintf(out, "\nstatic const int16_t %s_%s[][3] GLINT_FLASH = {\n", name, what);
+    fprintf(out, "\nstatic const int16_t %s_%s[][%d] GLINT_FLASH = {\n", name, what, width);
     for (size_t v = 0; v < count; v++) {
         int16_t x[3];
-        memcpy(x, (const char *)&vertices[v] + offset, sizeof x);
-        fprintf(out, "%s{%d, %d, %d},%s", v % 4 == 0 ? "    " : " ", x[0], x[1], x[2],
-                v % 4 == 3 || v + 1 == count ? "\n" : "");
+        memcpy(x, (const char *)&vertices[v] + offset, (size_t)width * sizeof x[0]);
+        fprintf(out, "%s{%d, %d", v % 4 == 0 ? "    " : " ", x[0], x[1]);
+        if (width == 3) {
+            fprintf(out, ", %d", x[2]);
+        }
+        fprintf(out, "},%s", v % 4 == 3 || v + 1 == count ? "\n" : "");
     }
     fprintf(out, "};\n");
 }
 
-static void print_source(FILE *out, const built *mesh, const char *name, const char *command)
+static void print_source(FILE *out, const built *mesh, int has_texcoords, const char *name, const char *command)
 {
     fprintf(out, "/* SPDX-License-Identifier: MIT */ /* made by: %s */\n", command);
     fprintf(out,
@@ -176,8 +204,11 @@ static void print_source(FILE *out, const built *mesh, const char *name, const c
             "degrees.\n",
             mesh->vertex_count, mesh->triangle_count, mesh->position_error, mesh->normal_error);
     fprintf(out, " */\n#include <glint/mesh.h>\n\n/* clang-format off */\n");
-    print_int16s(out, name, "positions", mesh->vertices, mesh->vertex_count, offsetof(quantised, position));
-    print_int16s(out, name, "normals_q14", mesh->vertices, mesh->vertex_count, offsetof(quantised, normal_q14));
+    print_int16s(out, name, "positions", mesh->vertices, mesh->vertex_count, offsetof(quantised, position), 3);
+    print_int16s(out, name, "normals_q14", mesh->vertices, mesh->vertex_count, offsetof(quantised, normal_q14), 3);
+    if (has_texcoords) {
+        print_int16s(out, name, "texcoords", mesh->vertices, mesh->vertex_count, offsetof(quantised, texcoord), 2);
+    }
     fprintf(out, "\nstatic const uint16_t %s_triangles[][3] GLINT_FLASH = {\n", name);
     for (size_t t = 0; t < mesh->triangle_count; t++) {
         fprintf(out, "%s{%u, %u, %u},%s", t % 6 == 0 ? "    " : " ", mesh->triangles[t][0], mesh->triangles[t][1],
@@ -186,8 +217,12 @@ static void print_source(FILE *out, const built *mesh, const char *name, const c
     fprintf(out, "};\n\nconst glint_mesh %s = {\n", name);
     fprintf(out, "    .positions = %s_positions,\n    .normals_q14 = %s_normals_q14,\n    .triangles = %s_triangles,\n",
             name, name, name);
-    fprintf(out, "    .vertex_count = %zu,\n    .triangle_count = %zu,\n    .fraction_bits = %d,\n};\n",
-            mesh->vertex_count, mesh->triangle_count, mesh->fraction_bits);
+    fprintf(out, "    .vertex_count = %zu,\n    .triangle_count = %zu,\n    .fraction_bits = %d,\n", mesh->vertex_count,
+            mesh->triangle_count, mesh->fraction_bits);
+    if (has_texcoords) {
+        fprintf(out, "    .texcoord_bits = %d,\n    .texcoords = %s_texcoords,\n", mesh->texcoord_bits, name);
+    }
+    fprintf(out, "};\n");
 }
 
 int mesh_write(FILE *out, const shape *from, const char *name, const char *command)
@@ -209,6 +244,7 @@ int mesh_write(FILE *out, const shape *from, const char *name, const char *comma
         goto done;
     }
     mesh.fraction_bits = choose_fraction_bits(from);
+    mesh.texcoord_bits = choose_texcoord_bits(from);
     weld(from, &mesh, vertex_of, first_point);
     if (mesh.vertex_count > UINT16_MAX) {
         fprintf(stderr, "generate-mesh: %zu vertices, at most %d fit 16-bit indices; ask for fewer divisions\n",
@@ -218,7 +254,7 @@ int mesh_write(FILE *out, const shape *from, const char *name, const char *comma
     if (take_triangles(from, &mesh, vertex_of) != 0) {
         goto done;
     }
-    print_source(out, &mesh, name, command);
+    print_source(out, &mesh, from->has_texcoords, name, command);
     if (fflush(out) != 0 || ferror(out)) {
         fprintf(stderr, "generate-mesh: cannot write the output\n");
         goto done;

@@ -33,3 +33,6 @@ mesh teapot_small teapot 4
 mesh torus_knot torus-knot 2 3 96 12
 mesh box box
 mesh plane plane 8
+mesh globe_32x16 globe 32 16
+mesh floor_1 floor 1 12
+mesh floor_8 floor 8 12

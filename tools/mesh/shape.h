@@ -12,6 +12,7 @@
 typedef struct shape_point {
     double position[3]; /* model units */
     double normal[3];   /* unit */
+    double texcoord[2]; /* u, v; 0 in a shape without */
 } shape_point;
 
 typedef struct shape {
@@ -20,6 +21,7 @@ typedef struct shape {
         *triangles)[3]; /* counter-clockwise from outside; may have repeated points where a grid's row is one point */
     size_t point_count, point_room;
     size_t triangle_count, triangle_room;
+    int has_texcoords; /* points that differ in them are kept apart, and they are written */
 } shape;
 
 /* Point (i, j) of a surface: i = 0..rows, j = 0..columns. Must give the same bits wherever two grid points coincide. */
@@ -39,10 +41,12 @@ void shape_free(shape *mesh);
 /* Each adds one shape to `mesh`; see the files for axes and sizes. Arguments are checked by the caller. */
 void shape_sphere(shape *mesh, int sectors, int stacks);                   /* sectors >= 3, stacks >= 2 */
 void shape_bowl(shape *mesh, int sectors, int stacks);                     /* sectors >= 3, stacks >= 1 */
+void shape_globe(shape *mesh, int sectors, int stacks);                    /* a sphere with texture coordinates */
 void shape_teapot(shape *mesh, int divisions);                             /* divisions >= 4: the lip of the spout */
 void shape_torus_knot(shape *mesh, int p, int q, int segments, int sides); /* p, q >= 1 without common divisor */
 void shape_box(shape *mesh);
-void shape_plane(shape *mesh, int cells); /* cells >= 1 */
+void shape_plane(shape *mesh, int cells);              /* cells >= 1 */
+void shape_floor(shape *mesh, int cells, int repeats); /* a plane with texture coordinates; repeats 1..63 */
 
 /* Small vector helpers that the shapes share. */
 static inline void shape_cross(const double a[3], const double b[3], double out[3])

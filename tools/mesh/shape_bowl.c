@@ -20,7 +20,7 @@ static shape_point bowl_point(const void *context, int i, int j)
     double longitude = 2 * pi * (j % b->sectors) / b->sectors; /* from +z towards +x */
     /* the foot is one point, and the rim level, only if they are made so */
     double radius = i == b->stacks ? 0.0 : cos(below), y = i == 0 ? 0.0 : -sin(below);
-    shape_point point = {{radius * sin(longitude), y, radius * cos(longitude)}, {0}};
+    shape_point point = {{radius * sin(longitude), y, radius * cos(longitude)}, {0}, {0}};
     for (int k = 0; k < 3; k++) {
         point.normal[k] = point.position[k];
     }

@@ -14,7 +14,7 @@ static shape_point face_point(const void *context, int i, int j)
     const face *f = context;
     /* with axes (axis, next, next but one) right-handed, rows along the next and columns along the one after face +axis
      */
-    shape_point point = {{0}, {0}};
+    shape_point point = {{0}, {0}, {0}};
     point.normal[f->axis] = f->sign;
     point.position[f->axis] = f->sign;
     point.position[(f->axis + 1) % 3] = f->sign * (2 * i - 1);

@@ -128,7 +128,7 @@ static shape_point patch_point(const void *context, int i, int j)
     shape_cross(along_u, along_v, normal);
     shape_normalise(normal);
 
-    shape_point point = {{position[0], position[2], -position[1]}, {normal[0], normal[2], -normal[1]}};
+    shape_point point = {{position[0], position[2], -position[1]}, {normal[0], normal[2], -normal[1]}, {0}};
     return point;
 }
 

@@ -35,7 +35,7 @@ static shape_point knot_point(const void *context, int i, int j)
     shape_normalise(tangent);
     shape_cross(tangent, normal, side);
 
-    shape_point point;
+    shape_point point = {{0}, {0}, {0}};
     for (int c = 0; c < 3; c++) {
         point.normal[c] = cos(around) * normal[c] + sin(around) * side[c];
         point.position[c] = centre[c] + tube_radius * point.normal[c];

@@ -153,29 +153,35 @@ static int write_netpbm(FILE *file, const picture *p)
 }
 
 #ifdef GLINT_HAVE_PNG
+/* The rest, once the header has been read. */
+static int finish_png(png_image *image, const char *path, picture *out, char *error, size_t error_bytes)
+{
+    png_color black = {0, 0, 0};
+    image->format = PNG_FORMAT_RGB;
+    if (image->width > PICTURE_MAX_SIZE_PX || image->height > PICTURE_MAX_SIZE_PX) {
+        png_image_free(image);
+        return fail(error, error_bytes, "%s: its header says %lu x %lu px; 1 to %d was expected for each", path,
+                    (unsigned long)image->width, (unsigned long)image->height, PICTURE_MAX_SIZE_PX);
+    }
+    if (picture_create(out, (int)image->width, (int)image->height, error, error_bytes)) {
+        png_image_free(image);
+        return -1;
+    }
+    if (!png_image_finish_read(image, &black, out->rgb, 0, NULL)) {
+        return fail(error, error_bytes, "%s: a whole PNG picture was expected: %s", path, image->message);
+    }
+    return 0;
+}
+
 static int read_png(FILE *file, const char *path, picture *out, char *error, size_t error_bytes)
 {
     png_image image;
-    png_color black = {0, 0, 0};
     memset(&image, 0, sizeof image);
     image.version = PNG_IMAGE_VERSION;
     if (!png_image_begin_read_from_stdio(&image, file)) {
         return fail(error, error_bytes, "%s: a PNG picture was expected: %s", path, image.message);
     }
-    image.format = PNG_FORMAT_RGB;
-    if (image.width > PICTURE_MAX_SIZE_PX || image.height > PICTURE_MAX_SIZE_PX) {
-        png_image_free(&image);
-        return fail(error, error_bytes, "%s: its header says %lu x %lu px; 1 to %d was expected for each", path,
-                    (unsigned long)image.width, (unsigned long)image.height, PICTURE_MAX_SIZE_PX);
-    }
-    if (picture_create(out, (int)image.width, (int)image.height, error, error_bytes)) {
-        png_image_free(&image);
-        return -1;
-    }
-    if (!png_image_finish_read(&image, &black, out->rgb, 0, NULL)) {
-        return fail(error, error_bytes, "%s: a whole PNG picture was expected: %s", path, image.message);
-    }
-    return 0;
+    return finish_png(&image, path, out, error, error_bytes);
 }
 
 static int write_png(FILE *file, const picture *p)
@@ -281,4 +287,28 @@ int picture_write(const char *path, const picture *p, char *error, size_t error_
     }
     free(part);
     return status;
+}
+
+int picture_read_png(const void *data, size_t bytes, picture *out, char *error, size_t error_bytes)
+{
+    memset(out, 0, sizeof *out);
+#ifdef GLINT_HAVE_PNG
+    png_image image;
+    int status = -1;
+    memset(&image, 0, sizeof image);
+    image.version = PNG_IMAGE_VERSION;
+    if (!png_image_begin_read_from_memory(&image, data, bytes)) {
+        (void)fail(error, error_bytes, "a PNG picture was expected: %s", image.message);
+    } else {
+        status = finish_png(&image, "a picture in memory", out, error, error_bytes);
+    }
+    if (status) {
+        picture_free(out);
+    }
+    return status;
+#else
+    (void)data;
+    (void)bytes;
+    return no_png("a picture in memory", error, error_bytes);
+#endif
 }

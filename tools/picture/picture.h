@@ -32,6 +32,9 @@ void picture_free(picture *p);
 /* Reads a file. On error *out is zeroed. */
 int picture_read(const char *path, picture *out, char *error, size_t error_bytes);
 
+/* Reads a PNG picture from memory. On error *out is zeroed. */
+int picture_read_png(const void *data, size_t bytes, picture *out, char *error, size_t error_bytes);
+
 /* Writes a file: into `path` with `.part` appended, which is renamed to `path` when it is complete. A path that is
  * there and is no ordinary file (a device, a pipe) is written directly. On error nothing remains of the new file. */
 int picture_write(const char *path, const picture *p, char *error, size_t error_bytes);
