@@ -40,6 +40,8 @@ const char *glint_error_text(int error)
         return "a material has an emission below 0 or above 1";
     case GLINT_ERROR_SIDES:
         return "a material's sides are unknown";
+    case GLINT_ERROR_SHADOWS:
+        return "a material's choice of shadows is unknown";
     case GLINT_ERROR_LIGHT_KIND:
         return "a light's kind is unknown";
     case GLINT_ERROR_LIGHT_DIRECTION:

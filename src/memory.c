@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "memory.h"
 
+#include "effects/shadow.h"
 #include "raster/bands.h"
 #include "raster/edges.h"
 
@@ -36,7 +37,10 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     needs->buffers = (uint64_t)needs->buffer * (display->buffer_count == 2 ? 2 : 1);
     needs->depth = whole_words((uint64_t)display->width_px * band * 2);
     needs->objects = (uint64_t)scene->object_count * whole_words(bytes->object);
-    needs->lights = (uint64_t)scene->object_count * scene->light_count * whole_words(bytes->light);
+    needs->shadows = glint_shadow_bytes(scene, display->width_px, band);
+    needs->shadows += needs->shadows ? whole_words(bytes->shadow) : 0;
+    /* with shadows, one of each light once more: see effects/shadow.inc */
+    needs->lights = (scene->object_count + (uint64_t)(needs->shadows != 0)) * scene->light_count * whole_words(bytes->light);
     needs->reach_count = 0;
     for (uint16_t i = 0; i < scene->light_count; i++) {
         needs->reach_count = (uint16_t)(needs->reach_count + light_reaches(&scene->lights[i]));
@@ -47,6 +51,6 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
                        ? whole_words((triangle_count + needs->band_count) * 2)
                        : 0;
     needs->vertices = vertex_count * sizeof(glint_screen_vertex);
-    needs->least = needs->objects + needs->lights + needs->reaches + needs->buffers + needs->depth;
+    needs->least = needs->objects + needs->lights + needs->shadows + needs->reaches + needs->buffers + needs->depth;
     needs->full = needs->least + needs->bands + needs->vertices;
 }

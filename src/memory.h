@@ -4,6 +4,8 @@
  *
  *     objects   one state an object            always
  *     lights    one state an object and light  always
+ *     shadows   boxes, lights, a copy of an object,
+ *               a bit a pixel of a band and light    where some light casts shadows: see effects/shadow.h
  *     reaches   one for each of these lights that is a spot light or attenuated
  *     buffers   one or two bands of pixels     always
  *     depth     16 bits a pixel of a band      always
@@ -24,7 +26,7 @@ typedef struct glint_needs {
     uint32_t stride; /* bytes from row to row (page to page) */
     uint16_t band_px, band_count;
     uint16_t reach_count; /* spot lights and attenuated ones */
-    uint64_t objects, lights, reaches, buffers, depth, bands, vertices;
+    uint64_t objects, lights, shadows, reaches, buffers, depth, bands, vertices;
     uint32_t triangle_count;
     uint64_t least; /* without bands and vertices */
     uint64_t full;
@@ -32,7 +34,7 @@ typedef struct glint_needs {
 
 /* Of one of each, in a backend. */
 typedef struct glint_state_bytes {
-    uint16_t object, light, reach;
+    uint16_t object, light, reach, shadow;
 } glint_state_bytes;
 
 /* Scene and display have passed glint_validate_sizes(). */

@@ -69,6 +69,9 @@ static int check_material(const glint_material *material)
     if (material->sides > GLINT_TWO_SIDED) {
         return GLINT_ERROR_SIDES;
     }
+    if (material->shadows > (GLINT_CASTS_NO_SHADOW | GLINT_TAKES_NO_SHADOW)) {
+        return GLINT_ERROR_SHADOWS;
+    }
     return in_range(&material->emission, ONE_Q14) ? GLINT_OK : GLINT_ERROR_EMISSION;
 }
 

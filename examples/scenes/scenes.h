@@ -63,6 +63,9 @@ extern const glint_scene demo_point_light;
 /* sources.c: spot lights and attenuated ones, sky and ground, surfaces that emit light */
 extern const glint_scene demo_spots, demo_open_sky, demo_lanterns;
 
+/* shadows.c: hard shadows of the sun, and of lamps in a room */
+extern const glint_scene demo_shadows_sun, demo_shadows_lamps;
+
 /* gallery_ratio.c: a row of spheres, ambient to diffuse ratio growing to the right */
 extern const glint_scene demo_ambient_ratio;
 

@@ -18,6 +18,8 @@ const demo_scene demo_scenes[] = {
     {"spots", "Two spot lights and a lamp of short range on a stage", &demo_spots, 320, 240},
     {"open-sky", "The stage in the open: sun, sky and ground", &demo_open_sky, 320, 240},
     {"lanterns", "Lanterns that emit light, which falls off with distance", &demo_lanterns, 320, 240},
+    {"shadows-sun", "Shadows of the sun on a floor, and of a knot on itself", &demo_shadows_sun, 320, 240},
+    {"shadows-lamps", "Shadows of two lamps in a room", &demo_shadows_lamps, 320, 240},
     {"ambient-ratio", "Ambient to diffuse ratio growing to the right", &demo_ambient_ratio, 320, 80},
     {"specular-grid", "Specular share growing downwards, exponent to the right", &demo_specular_grid, 320, 240},
     {"ambient-only", "A still life in ambient light", &demo_ambient_only, 320, 240},

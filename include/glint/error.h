@@ -37,6 +37,7 @@ typedef enum glint_error {
     GLINT_ERROR_SPECULAR_MODEL = -32,
     GLINT_ERROR_EMISSION = -33, /* below 0 or above 1 */
     GLINT_ERROR_SIDES = -34,    /* unknown choice of sides */
+    GLINT_ERROR_SHADOWS = -35,  /* unknown bits of glint_material.shadows */
 
     /* lights */
     GLINT_ERROR_LIGHT_KIND = -40,

@@ -25,7 +25,10 @@ typedef enum glint_reason {
     GLINT_LIGHT_ZERO = 2,       /* the light, or the scene's ambient light, is black */
     GLINT_NO_COMMON_COLOUR = 3, /* neither is black, but no channel has both: a blue light on a red surface */
     GLINT_OUT_OF_RANGE = 4,     /* the whole object is at least the light's range away from it */
-    GLINT_OUTSIDE_CONE = 5      /* the whole object is outside of the spot light's outer cone */
+    GLINT_OUTSIDE_CONE = 5,     /* the whole object is outside of the spot light's outer cone */
+    GLINT_NOT_CAST = 6,         /* shadows: the light casts none */
+    GLINT_NOT_TAKEN = 7,        /* shadows: the object takes none */
+    GLINT_NOTHING_CASTS = 8     /* shadows: no object of the scene casts any */
 } glint_reason;
 
 /* A sentence in English, never NULL. */
@@ -44,6 +47,7 @@ typedef struct glint_object_plan {
 
 typedef struct glint_light_plan {
     uint8_t diffuse, specular; /* glint_reason of each term */
+    uint8_t shadow;            /* glint_reason: shadows of this light may fall on the object, or why not */
     bool attenuation, cone;    /* if one of these is needed: its factors a (or w) and b are evaluated */
 } glint_light_plan;
 

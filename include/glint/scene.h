@@ -35,6 +35,7 @@
 #ifndef GLINT_SCENE_H
 #define GLINT_SCENE_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include <glint/config.h>
@@ -72,6 +73,12 @@ enum {
     GLINT_TWO_SIDED = 2   /* both; where the inside is seen, the normal is taken the other way round */
 };
 
+/* What a surface has to do with shadows: bits of glint_material.shadows. */
+enum {
+    GLINT_CASTS_NO_SHADOW = 1, /* light passes through it unhindered */
+    GLINT_TAKES_NO_SHADOW = 2  /* it is lit as if nothing stood between it and the light */
+};
+
 /* What a surface does with light. Reflectances are 0..1 (16384) in each channel. */
 typedef struct glint_material {
     glint_colour ambient;   /* r_a */
@@ -81,6 +88,7 @@ typedef struct glint_material {
     uint8_t specular_model; /* GLINT_PHONG (default) or GLINT_BLINN */
     uint8_t sides;          /* GLINT_FRONT_SIDE (default) ... */
     glint_colour emission;  /* e: light that the surface sends out whatever falls on it, 0..1 */
+    uint8_t shadows;        /* GLINT_CASTS_NO_SHADOW + GLINT_TAKES_NO_SHADOW; 0: casts and takes them */
 } glint_material;
 
 /*
@@ -143,6 +151,22 @@ typedef struct glint_attenuation {
  *
  * (as in glTF's KHR_lights_punctual).
  */
+/*
+ * Shadows. A light with `casts_shadows` adds neither diffuse nor specular light at a point from which a triangle hides
+ * it: one that the straight line from the point to the light (of a directional light: the ray towards it) meets. What
+ * counts is the triangle, not the side that it turns, and not the vertices' normals; it need not be seen, nor lie in front
+ * of the camera. These do not hide the light:
+ *
+ *  - the triangle itself to which the point belongs, and what lies in its plane or touches it from behind;
+ *  - triangles of a material with GLINT_CASTS_NO_SHADOW;
+ *  - of the point's own object, if its material has the side GLINT_FRONT_SIDE: triangles that turn their outside to the
+ *    light. A point outside of a closed surface is in shadow all the same, since the line leaves the surface by a
+ *    triangle that turns its inside to the light; but a rounded surface, whose normals are lit a little beyond the edge
+ *    where its triangles turn away, does not get that edge as a jagged shadow.
+ *
+ * Shadows are hard: a point sees the light or does not. They are drawn in exact shading and within a tolerance; flat and
+ * Gouraud shading, which light corners and not points, leave them out.
+ */
 typedef struct glint_light {
     uint8_t kind;
     int16_t direction[3];          /* directional, spot: the way the light travels (s = -direction); any length but 0 */
@@ -152,6 +176,7 @@ typedef struct glint_light {
     /* spot: half the angle of the cones, 1/65536 turn: 0 <= inner < outer <= 16384 (90 degrees), and the two at least
      * 182 (1 degree) apart */
     uint16_t inner_turn16, outer_turn16;
+    bool casts_shadows; /* see above; false: it shines through everything */
 } glint_light;
 
 /*

@@ -12,6 +12,7 @@
 #include <glint/plan.h>
 
 #include "display/flush.h"
+#include "effects/shadow.h"
 #include "geometry/vertex_fixed.h"
 #include "lighting/gloss_fixed.h"
 #include "lighting/reach_fixed.h"

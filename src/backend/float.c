@@ -12,6 +12,7 @@
 #include <glint/plan.h>
 
 #include "display/flush.h"
+#include "effects/shadow.h"
 #include "geometry/vertex_float.h"
 #include "lighting/gloss_float.h"
 #include "lighting/reach_float.h"
