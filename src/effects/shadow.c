@@ -239,7 +239,8 @@ void glint_shadows_set_up(glint_shadows *shadows, const glint_scene *scene, cons
 typedef struct plane {
     int32_t normal[3], base[3];
     int64_t noise;  /* what rounding of base and p makes of normal.(p - base), */
-    uint32_t tilt; /* and that of the normal, for each unit of p - base */
+    uint32_t tilt;  /* and that of the normal, for each unit of p - base */
+    bool turned;    /* the normal is the negative of what it was made as */
 } plane;
 
 static uint32_t sum_of(const int32_t v[3])
@@ -251,6 +252,7 @@ static uint32_t sum_of(const int32_t v[3])
 static void plane_along(plane *p, const int32_t base[3], const int32_t a[3], const int32_t b[3])
 {
     int64_t n[3];
+    p->turned = false;
     for (int k = 0; k < 3; k++) {
         const int i = k < 2 ? k + 1 : 0, j = k > 0 ? k - 1 : 2;
         n[k] = (int64_t)a[i] * b[j] - (int64_t)a[j] * b[i];
@@ -287,6 +289,7 @@ static int64_t plane_support(const plane *p, const glint_shadow_box *box)
 
 static void plane_turn(plane *p)
 {
+    p->turned = !p->turned;
     for (int k = 0; k < 3; k++) {
         p->normal[k] = -p->normal[k];
     }
@@ -410,14 +413,19 @@ typedef struct line {
     int32_t value, step_x, step_y;
 } line;
 
-/* Where a plane cuts the receiver's, on the screen, its inner side the plane's positive one. */
-static void line_of(line *out, const search *s, const plane *p, bool widen)
+/*
+ * Where a plane cuts the receiver's, on the screen, its inner side the plane's positive one. A plane that has been turned
+ * gives the negative numbers, to the bit: the shadows of neighbours share the pixels on their line, and leave no gap.
+ */
+static void line_of(line *out, const search *s, const plane *p)
 {
     const glint_shadows *shadows = s->shadows;
     const glint_box *box = s->receiver->box;
     int64_t at = 0, l[3];
+    int32_t normal[3];
     for (int k = 0; k < 3; k++) {
-        at -= (int64_t)p->normal[k] * p->base[k]; /* < 2^61 */
+        normal[k] = p->turned ? -p->normal[k] : p->normal[k];
+        at -= (int64_t)normal[k] * p->base[k]; /* < 2^61 */
     }
     /* (e m - d n) sign(e), e and d to 31 bits */
     const int long_bits = bit_length64(magnitude64(at) | magnitude64(s->eye));
@@ -425,8 +433,8 @@ static void line_of(line *out, const search *s, const plane *p, bool widen)
     const int64_t d = glint_shift_round64(at, -down), e = glint_shift_round64(s->eye, -down);
     int bits = 0;
     for (int k = 0; k < 3; k++) {
-        l[k] = e * p->normal[k] - d * s->own.normal[k]; /* <= 2 2^61 */
-        l[k] = (s->eye < 0 ? -l[k] : l[k]) >> 1;
+        l[k] = e * normal[k] - d * s->own.normal[k]; /* <= 2 2^61 */
+        l[k] >>= 1;
         /* a ray has components of half pixels from the display's middle, 12 bits, and of twice the grid's ratio */
         const int with = bit_length64(magnitude64(l[k])) + (k < 2 ? 13 : shadows->z_fraction - shadows->xy_fraction + 1);
         bits = with > bits || k == 0 ? with : bits;
@@ -439,11 +447,10 @@ static void line_of(line *out, const search *s, const plane *p, bool widen)
     const uint64_t most = magnitude64(value) + 2 * magnitude64(x) * (uint64_t)(box->x_last - box->x_first + 1) +
                           2 * magnitude64(y) * (uint64_t)(box->y_last - box->y_first + 1);
     const int narrow = 29 - bit_length64(most);
-    out->value = (int32_t)glint_shift_round64(value, narrow);
-    out->step_x = (int32_t)glint_shift_round64(2 * x, narrow);
-    out->step_y = (int32_t)glint_shift_round64(2 * y, narrow);
-    const int32_t pixel = (int32_t)(magnitude32(out->step_x) + magnitude32(out->step_y));
-    out->value += widen ? (pixel >> 8) + 2 : -(pixel >> 12) - 2;
+    const int32_t sign = (s->eye < 0) != p->turned ? -1 : 1;
+    out->value = (int32_t)glint_shift_round64(value, narrow) * sign;
+    out->step_x = (int32_t)glint_shift_round64(2 * x, narrow) * sign;
+    out->step_y = (int32_t)glint_shift_round64(2 * y, narrow) * sign;
 }
 
 static bool line_meets(const line *l, const glint_box *box)
@@ -544,7 +551,10 @@ static void cast_triangle(search *s, uint16_t number, uint16_t triangle)
         plane_turn(&bound[3]);
     }
     for (int i = 0; i < 4; i++) {
-        line_of(&l[i], s, &bound[i], i < 3);
+        line_of(&l[i], s, &bound[i]);
+        if (i == 3) { /* where it stands on the receiver, it is not beyond itself */
+            l[i].value -= ((int32_t)(magnitude32(l[i].step_x) + magnitude32(l[i].step_y)) >> 12) + 2;
+        }
         if (!line_meets(&l[i], s->receiver->box)) {
             return;
         }

@@ -18,8 +18,8 @@
  *
  * Errors. A coordinate errs by at most GLINT_SHADOW_NOISE units of the grid, 2^-26 of the scene's extent, which moves a
  * shadow's edge by so much over the sine of the angle at which the light grazes the receiver; and a line errs by 2^-5 px
- * at most from its 31 bits. Sides are moved outwards by 1/256 px, so that no light leaks between the shadows of
- * neighbours. Heights over the receiver's plane within the noise are none, so that neighbours in one plane, and what
+ * at most from its 31 bits. Neighbours get the same line between their shadows, to the bit, and no light leaks
+ * through. Heights over the receiver's plane within the noise are none, so that neighbours in one plane, and what
  * touches, throw no shadow on each other. tests/unit/test_shadow.c holds this to ray casting.
  */
 #ifndef GLINT_EFFECTS_SHADOW_H

@@ -17,6 +17,7 @@ static void free_detail(reference_detail *d)
         free(d->first);
         free(d->meetings);
         free(d->contenders);
+        shadow_free(d->shadows);
         free(d);
     }
 }
@@ -60,9 +61,9 @@ static void draw_pixel(reference_image *image, int x, int y)
     image->triangle[at] = c->triangle;
     image->depth[at] = 1.0 / hit.inverse_z;
     shade_corner(d, t, &hit, &hit, -1, &image->rgb[at * 3]);
-    if (shade_variants(d, t, &hit) > 1) {
-        image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_TERMINATOR);
-    }
+    uint8_t mask;
+    (void)shade_variants(d, t, &hit, &mask);
+    image->mask[at] = (uint8_t)(image->mask[at] | mask);
 }
 
 static int fail(reference_image *image, char *error, size_t error_bytes, const char *text)
@@ -102,9 +103,13 @@ int reference_render_with(const glint_scene *scene, int width, int height, int s
     d->options.edge_px = option(options ? options->edge_px : 0.0, 1.0 / 256.0);
     d->options.depth_steps = option(options ? options->depth_steps : 0.0, 2.0);
     d->options.terminator = option(options ? options->terminator : 0.0, 1e-4);
+    d->options.shadow_px = option(options ? options->shadow_px : 0.0, 1.0);
 
     if (view_load(d, scene, error, error_bytes)) {
         return fail(out, error, error_bytes, NULL);
+    }
+    if (shadow_load(d)) {
+        return fail(out, error, error_bytes, "no memory for shadows");
     }
     for (int32_t i = 0; i < d->triangle_count; i++) {
         shade_triangle(d, &d->triangles[i]);
@@ -140,7 +145,7 @@ static int triangle_candidates(const reference_detail *d, const contender *c, in
 {
     const triangle *t = &d->triangles[c->triangle];
     corner region[MEET_REGION_MAX + 1], anchor = seen_at(d, c, x + 0.5, y + 0.5);
-    int points = meet_region(d, t, x + 0.5, y + 0.5, region), variants = shade_variants(d, t, &anchor);
+    int points = meet_region(d, t, x + 0.5, y + 0.5, region), variants = shade_variants(d, t, &anchor, NULL);
     region[points++] = anchor;
     for (int v = 0; v < variants; v++, count++) {
         reference_candidate one = {c->triangle, {HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};

@@ -58,6 +58,8 @@ static void load_surface(surface *out, const glint_material *in, const glint_sce
     }
     from_colour(in->emission, out->emission);
     out->sides = in->sides;
+    out->casts = (in->shadows & GLINT_CASTS_NO_SHADOW) == 0;
+    out->takes = (in->shadows & GLINT_TAKES_NO_SHADOW) == 0;
     from_colour(in->diffuse, out->diffuse);
     from_colour(in->specular, out->specular);
     out->exponent = in->exponent_q4 / 16.0;
