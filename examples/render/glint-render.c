@@ -15,6 +15,7 @@
 #include <glint/float.h>
 
 #include "examples/scenes/scenes.h"
+#include "explain.h"
 #include "observe.h"
 #include "options.h"
 #include "output.h"
@@ -258,13 +259,16 @@ static int draw_and_write(const options *o, const loaded_scene *loaded, picture 
             return STATUS_FAILED;
         }
     }
-    if (picture_write(o->output, image, error, error_bytes) != 0) {
+    if (o->output != NULL && picture_write(o->output, image, error, error_bytes) != 0) {
         return STATUS_FAILED;
     }
     for (int i = 0; i < FILE_COUNT; i++) {
         if (output_place(&files[i], error, error_bytes) != 0) {
             return STATUS_FAILED;
         }
+    }
+    if (o->explain) {
+        explain(stdout, &loaded->scene, &report);
     }
     return STATUS_GOOD;
 }

@@ -20,6 +20,7 @@
 
 const char options_usage[] =
     "usage: glint-render SCENE -o FILE.ppm [options]\n"
+    "       glint-render SCENE --explain [options]\n"
     "       glint-render --list\n"
     "\n"
     "SCENE is a built-in scene (--list names them) or a model file (.obj, .gltf, .glb, .dae).\n"
@@ -38,6 +39,8 @@ const char options_usage[] =
     "  --memory BYTES     working memory (default: as much as the library can make use of)\n"
     "  --turn DEGREES     turns the objects about the vertical\n"
     "  --report FILE      counts of the frame, as JSON\n"
+    "  --explain          prints which terms of the model each object needs under each light, why not the others,\n"
+    "                     and what was evaluated; -o may be left out with it\n"
     "  --tiers FILE       how each pixel was shaded, PPM or PNG: unlit dark grey, flat light grey, gouraud blue,\n"
     "                     curved cyan, q1 green, q2 yellow, exact red; background black\n"
     "  --promise FILE     the error promised for each pixel, PGM or PNG: 1/16 code a level of grey, rounded up;\n"
@@ -256,6 +259,7 @@ enum {
     OPTION_MEMORY,
     OPTION_TURN,
     OPTION_REPORT,
+    OPTION_EXPLAIN,
     OPTION_TIERS,
     OPTION_PROMISE,
     OPTION_EDGES,
@@ -279,6 +283,7 @@ static const struct {
     [OPTION_MEMORY] = {"--memory", "a number of bytes"},
     [OPTION_TURN] = {"--turn", "an angle in degrees"},
     [OPTION_REPORT] = {"--report", "a file name"},
+    [OPTION_EXPLAIN] = {"--explain", NULL},
     [OPTION_TIERS] = {"--tiers", "a file name"},
     [OPTION_PROMISE] = {"--promise", "a file name"},
     [OPTION_EDGES] = {"--edges", "a file name"},
@@ -338,6 +343,9 @@ static int parse_option(int option, const char *value, options *o, const message
         return parse_path(name, value, grey_endings, ".pgm or .png", &o->promise, m);
     case OPTION_EDGES:
         return parse_path(name, value, edges_endings, ".pgm", &o->edges, m);
+    case OPTION_EXPLAIN:
+        o->explain = true;
+        return 0;
     case OPTION_LIST:
         o->list = true;
         return 0;
@@ -364,13 +372,13 @@ static bool same_file(const char *a, const char *b)
 /* given: which options were on the command line. */
 static int check_together(const options *o, const bool *given, const message *m)
 {
-    static const int display_only[] = {OPTION_DITHER, OPTION_BAND,  OPTION_BUFFERS, OPTION_MEMORY,
-                                       OPTION_REPORT, OPTION_TIERS, OPTION_PROMISE, OPTION_TOLERANCE};
+    static const int display_only[] = {OPTION_DITHER,  OPTION_BAND,  OPTION_BUFFERS, OPTION_MEMORY,   OPTION_REPORT,
+                                       OPTION_EXPLAIN, OPTION_TIERS, OPTION_PROMISE, OPTION_TOLERANCE};
 
     if (o->scene == NULL) {
         return fail(m, "expected a scene: the name of a built-in one (--list has them) or a model file");
     }
-    if (o->output == NULL) {
+    if (o->output == NULL && !o->explain) {
         return fail(m, "expected -o FILE.ppm, the picture to write");
     }
     if (given[OPTION_SHADING] && given[OPTION_TOLERANCE]) {

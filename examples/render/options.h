@@ -12,9 +12,9 @@
 enum { BACKEND_FIXED, BACKEND_FLOAT, BACKEND_REFERENCE };
 
 typedef struct options {
-    bool help, list;
+    bool help, list, explain;
     const char *scene;            /* a built-in scene's name, or a file */
-    const char *output;           /* .ppm or .png */
+    const char *output;           /* .ppm or .png; NULL: none, with `explain` only */
     const char *report, *edges;   /* files to write beside the picture; NULL: none */
     const char *promise, *tiers;  /* the same */
     int backend;                  /* BACKEND_FIXED ... */

@@ -11,8 +11,10 @@
 #define GLINT_OBJECT_BYTES 400
 #define GLINT_LIGHT_BYTES 88
 
-/* And of a spot light or an attenuated one for each object, beside that. */
+/* And of a spot light or an attenuated one for each object, beside that: so many words more than GLINT_MEMORY_WORDS for
+ * each object times each of these lights. */
 #define GLINT_REACH_BYTES 72
+#define GLINT_REACH_WORDS (GLINT_REACH_BYTES / 4)
 
 /* With lights that cast shadows: of the frame, of each such light, of each object, and of 16 triangles of a mesh. */
 #define GLINT_SHADOW_STATE_BYTES 512

@@ -202,8 +202,8 @@ void glint_plan_light(const glint_scene *scene, uint16_t object, const glint_obj
                                 : plan->cone && outside_cone(source, &a)                       ? GLINT_OUTSIDE_CONE
                                                                                                : GLINT_NEEDED;
     if (reason != GLINT_NEEDED) {
-        plan->diffuse = plan->diffuse == GLINT_NEEDED ? (uint8_t)reason : plan->diffuse;
-        plan->specular = plan->specular == GLINT_NEEDED ? (uint8_t)reason : plan->specular;
+        plan->diffuse = (uint8_t)(plan->diffuse == GLINT_NEEDED ? (uint8_t)reason : plan->diffuse);
+        plan->specular = (uint8_t)(plan->specular == GLINT_NEEDED ? (uint8_t)reason : plan->specular);
         plan->shadow = (uint8_t)reason;
     }
 }

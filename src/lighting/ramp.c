@@ -32,7 +32,7 @@ static uint32_t disproportion(const int32_t diffuse[3], const int32_t specular[3
 
 void glint_ramp_set_up(glint_ramp *ramp, const glint_scene *scene, const glint_material *material)
 {
-    int32_t diffuse[3], specular[3], ambient[3], ambient_light[3], first[3] = {0, 0, 0};
+    int32_t diffuse[3], specular[3], ambient[3], ambient_light[3], emission[3], first[3] = {0, 0, 0};
     uint32_t total_q14[3] = {0, 0, 0};
     ramp->usable = false;
     ramp->channel = 0;
@@ -43,6 +43,7 @@ void glint_ramp_set_up(glint_ramp *ramp, const glint_scene *scene, const glint_m
     channels(&material->specular, specular);
     channels(&material->ambient, ambient);
     channels(&scene->ambient, ambient_light);
+    channels(&material->emission, emission);
     for (uint16_t i = 0; i < scene->light_count; i++) {
         int32_t light[3];
         channels(&scene->lights[i].colour, light);
@@ -77,7 +78,8 @@ void glint_ramp_set_up(glint_ramp *ramp, const glint_scene *scene, const glint_m
         }
         /* full / 960 in Q27: 2^12 / 960 = 34953 / 2^13 */
         ramp->step_q27[k] = (full_q15 * 34953u + 4096) >> 13;
-        ramp->base_q27[k] = (((uint32_t)ambient[k] * (uint32_t)ambient_light[k]) >> 1) + ramp->step_q27[k] / 2;
+        ramp->base_q27[k] = (((uint32_t)ambient[k] * (uint32_t)ambient_light[k]) >> 1) + ((uint32_t)emission[k] << 13) +
+                            ramp->step_q27[k] / 2;
         if (k == strongest) {
             ramp->full_q15 = full_q15;
         }

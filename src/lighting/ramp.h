@@ -3,7 +3,8 @@
  * Ramps: where all lights have one chromaticity, the colour of a material under them is a function of one number, the
  * light that it reflects, and one table of colours serves for three channels.
  *
- *     colour = ambient + t full,   t = sum_j share_j cosine_j in 0..1,   full = the sum of all lights at cosine 1
+ *     colour = ambient and emission + t full,   t = sum_j share_j cosine_j in 0..1,   full = the sum of all lights at
+ * cosine 1
  *
  * t is cut into GLINT_RAMP_STEPS equal parts, of which each gets the colour of its middle. Indices go a little beyond,
  * for cosines that an approximation takes above 1.

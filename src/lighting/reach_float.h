@@ -8,6 +8,8 @@
 #ifndef GLINT_LIGHTING_REACH_FLOAT_H
 #define GLINT_LIGHTING_REACH_FLOAT_H
 
+#include <stddef.h>
+
 #include "lighting/light_float.h"
 
 typedef struct light_reach {
@@ -66,6 +68,16 @@ static inline real light_reach_factor(const light_reach *reach, const surface *a
         factor *= clamped * clamped;
     }
     return factor;
+}
+
+/* What a factor's error can change of a light of `peak`, both in 1/256 code; see reach_fixed.h. */
+static inline uint32_t light_reach_error_q8(const light_reach *reach, uint32_t peak_q8)
+{
+    if (reach == NULL) {
+        return 0;
+    }
+    const float edge = reach->has_cone ? 2e-5f * reach->per_gap : 0.0f;
+    return (uint32_t)((float)peak_q8 * (edge + 2e-5f)) + 1;
 }
 
 #endif

@@ -156,7 +156,7 @@ static inline void take_camera(bytes *b, scene_case *c)
 static inline void take_light(bytes *b, scene_case *c, glint_light *light)
 {
     const uint8_t kind = take_u8(b);
-    light->kind = (uint8_t)(c->wild && kind == 255 ? 2 : kind & 1);
+    light->kind = (uint8_t)(c->wild && kind == 255 ? GLINT_SPOT + 1 : kind & 1);
     for (int k = 0; k < 3; k++) {
         light->direction[k] = (int16_t)(kind & 2 ? take_s16(b) : take_between(b, -2, 2));
         light->position_q16[k] = kind & 4 ? take_any_size(b, 1 << 30, c->wild) : take_between(b, -128, 127) * 2048;

@@ -64,7 +64,7 @@ static void test_G1_not_finite_in_a_vertex(void **state)
             board_set_up(&b);
             memset(&drawn, 0, sizeof drawn);
             glint_view_set_up(&drawn.view, &b.camera, 64, 48);
-            object_prepare(&object, lights, &b.scene, &b.object, &drawn.view, GLINT_SHADING_EXACT);
+            object_prepare(&object, lights, NULL, &b.scene, 0, &drawn.view, GLINT_SHADING_EXACT);
             object.vertices = NULL;
             drawn.objects = &object;
             drawn.object_count = 1;

@@ -308,7 +308,7 @@ static void test_H5_bad_meshes(void **state)
             b.mesh.vertex_count = 2;
             break;
         case 14:
-            b.light[0].kind = 2;
+            b.light[0].kind = GLINT_SPOT + 1;
             break;
         default:
             b.material.specular_model = 2;

@@ -108,8 +108,10 @@ static void check_scene(const glint_scene *scene, uint16_t width, uint16_t heigh
     frame_state state;
     object_state *objects = calloc(scene->object_count, sizeof *objects);
     light_state *lights = calloc((size_t)scene->object_count * scene->light_count + 1, sizeof *lights);
+    light_reach *reaches = calloc((size_t)scene->object_count * scene->light_count + 1, sizeof *reaches);
     assert_non_null(objects);
     assert_non_null(lights);
+    assert_non_null(reaches);
     assert_true(width * height <= MOST_PIXELS);
     memset(&state, 0, sizeof state);
     memset(expected, 0, sizeof expected);
@@ -117,12 +119,13 @@ static void check_scene(const glint_scene *scene, uint16_t width, uint16_t heigh
     glint_view_set_up(&state.view, scene->camera, width, height);
     state.objects = objects;
     state.object_count = scene->object_count;
-    prepare_objects(&state, scene, objects, lights, NULL, NULL, false);
+    prepare_objects(&state, scene, objects, lights, reaches, scene->light_count, NULL, NULL, false);
     for (uint16_t i = 0; i < scene->object_count; i++) {
         check_object(&state, &objects[i]);
     }
     check_frame(scene, width, height, backend);
     free(lights);
+    free(reaches);
     free(objects);
 }
 

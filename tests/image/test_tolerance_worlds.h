@@ -85,6 +85,11 @@ static void to_q16(const double v[3], int32_t out[3])
     }
 }
 
+static double magnitude_of(const int32_t v[3])
+{
+    return sqrt((double)v[0] * v[0] + (double)v[1] * v[1] + (double)v[2] * v[2]);
+}
+
 static int16_t q14(double level)
 {
     return (int16_t)lrint(16384 * fmin(level, 1.9999));
@@ -203,6 +208,53 @@ static void make_light(world *w, glint_light *light, const double towards[3], bo
     }
 }
 
+/* Lights that do not arrive everywhere alike, and light that comes from no lamp: in one scene of three. */
+static void add_effects(world *w, double distance)
+{
+    if (!one_in(w, 3)) {
+        return;
+    }
+    for (uint16_t i = 0; i < w->scene.light_count; i++) {
+        glint_light *light = &w->lights[i];
+        const bool far = magnitude_of(light->position_q16) > 16000 * Q16;
+        if (one_in(w, 3) && !far) {
+            light->kind = light->kind == GLINT_POINT ? GLINT_SPOT : light->kind;
+        }
+        light->outer_turn16 = (uint16_t)between(w, 182, 16384);
+        light->inner_turn16 = (uint16_t)between(w, 0, one_in(w, 2) ? light->outer_turn16 - 182 : 0);
+        if (light->kind == GLINT_SPOT) { /* about towards the scene's middle */
+            for (int k = 0; k < 3; k++) {
+                light->direction[k] = (int16_t)fmax(
+                    -32000, fmin(32000, -3000.0 * light->position_q16[k] / Q16 + between(w, -1500, 1500)));
+            }
+            light->direction[0] = (int16_t)(light->direction[0] | 1);
+        }
+        for (int k = 0; k < 3 && one_in(w, 2); k++) {
+            light->attenuation.k_q14[k] = (uint16_t)of_any_size(w, 100, 65535);
+        }
+        if (one_in(w, 3)) {
+            light->attenuation.unit_q16 = (uint32_t)(Q16 * of_any_size(w, 0.1, 10));
+        }
+        if (one_in(w, 3)) {
+            light->attenuation.range_q16 = (uint32_t)(Q16 * of_any_size(w, 0.5, 4 * distance));
+        }
+    }
+    if (one_in(w, 2)) {
+        double up[3];
+        any_direction(w, up);
+        w->scene.sky = colour(w, 1, one_in(w, 2));
+        w->scene.ground = colour(w, 0.5, one_in(w, 2));
+        for (int k = 0; k < 3 && one_in(w, 2); k++) {
+            w->scene.up[k] = (int16_t)lrint(30000 * up[k]);
+        }
+    }
+    for (int i = 0; i < WORLD_OBJECTS; i++) {
+        if (one_in(w, 4)) {
+            w->materials[i].emission = colour(w, 0.5, false);
+        }
+    }
+}
+
 /* Scene `number` of the run. Pointers go into *w, so it must stay where it is. */
 static void make_world(world *w, uint32_t seed, uint32_t number)
 {
@@ -259,6 +311,7 @@ static void make_world(world *w, uint32_t seed, uint32_t number)
     w->scene.lights = w->lights;
     w->scene.ambient = colour(w, 1, one_in(w, 2));
     w->scene.background = colour(w, 1, false);
+    add_effects(w, distance);
 }
 
 /*
@@ -266,7 +319,8 @@ static void make_world(world *w, uint32_t seed, uint32_t number)
  * lean away from the middle by `spread` to 16384, at INT16_MAX in the square's plane. One light along -direction, a
  * weak one beside it.
  */
-static void make_board(world *w, int spread, double aslant, int model, uint16_t exponent_q4, const int16_t direction[3])
+static inline void make_board(world *w, int spread, double aslant, int model, uint16_t exponent_q4,
+                              const int16_t direction[3])
 {
     static const int16_t corners[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};

@@ -126,7 +126,7 @@ static void test_a_corner_in_the_eye(void **state)
         light_state states[2];
         bool specular = false;
         glint_view_set_up(&view, &camera, 64, 48);
-        object_prepare(&object, states, &scene, &source, &view, GLINT_SHADING_GOURAUD);
+        object_prepare(&object, states, NULL, &scene, 0, &view, GLINT_SHADING_GOURAUD);
         const glint_shade shade = corner_colour(&object, vertex, n % 3, &specular);
         if (n == 0) { /* the ambient products have few bits: exact */
             assert_int_equal(shade.r_q15, 16384);

@@ -121,10 +121,11 @@ static void test_ranges(void **state)
             const glint_light *l = &s->lights[i];
             check_colour(l->colour, INT16_MAX);
             assert_true(l->colour.r_q14 > 0 || l->colour.g_q14 > 0 || l->colour.b_q14 > 0);
-            if (l->kind == GLINT_POINT) {
+            if (l->kind != GLINT_DIRECTIONAL) {
                 check_point(l->position_q16);
-            } else {
-                assert_int_equal(l->kind, GLINT_DIRECTIONAL);
+            }
+            if (l->kind != GLINT_POINT) {
+                assert_in_range(l->kind, GLINT_DIRECTIONAL, GLINT_SPOT);
                 assert_true(l->direction[0] != 0 || l->direction[1] != 0 || l->direction[2] != 0);
             }
         }

@@ -198,6 +198,8 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(light_kind_3, w->b.light[0].kind = GLINT_SPOT + 1, GLINT_ERROR_LIGHT_KIND)                                       \
     X(emission_high, w->b.material.emission.g_q14 = 16385, GLINT_ERROR_EMISSION)                                       \
     X(emission_low, w->b.material.emission.r_q14 = -1, GLINT_ERROR_EMISSION)                                           \
+    X(shadows_4, w->b.material.shadows = 4, GLINT_ERROR_SHADOWS)                                                       \
+    X(shadows_255, w->b.material.shadows = 255, GLINT_ERROR_SHADOWS)                                                   \
     X(sides_3, w->b.material.sides = GLINT_TWO_SIDED + 1, GLINT_ERROR_SIDES)                                           \
     X(spot_direction_0, (set_spot(w, 0, 16384), w->b.light[1].direction[2] = 0), GLINT_ERROR_LIGHT_DIRECTION)          \
     X(spot_position_high, (set_spot(w, 0, 16384), w->b.light[1].position_q16[1] = (1 << 30) + 1),                      \
@@ -493,9 +495,16 @@ static void expect_words_bound(const demo_scene *demo, const glint_display *d)
         vertices += scene->objects[i].mesh->vertex_count;
         triangles += scene->objects[i].mesh->triangle_count;
     }
+    uint32_t reaches = 0;
+    for (uint16_t i = 0; i < scene->light_count; i++) {
+        const glint_light *light = &scene->lights[i];
+        const glint_attenuation *a = &light->attenuation;
+        reaches += light->kind == GLINT_SPOT || a->range_q16 != 0 || a->k_q14[0] || a->k_q14[1] || a->k_q14[2];
+    }
     const size_t bound =
-        (size_t)4 * GLINT_MEMORY_WORDS(d->width_px, d->height_px, d->band_px, d->format, d->buffer_count, vertices,
-                                       triangles, scene->object_count, scene->light_count);
+        (size_t)4 * (GLINT_MEMORY_WORDS(d->width_px, d->height_px, d->band_px, d->format, d->buffer_count, vertices,
+                                        triangles, scene->object_count, scene->light_count) +
+                     scene->object_count * reaches * GLINT_REACH_WORDS);
     for (int b = 0; b < BACKENDS; b++) {
         const size_t bytes = backends[b].memory_bytes(scene, d);
         if (bytes == 0 || bytes > bound || (double)bound > WORDS_FACTOR * (double)bytes + WORDS_MORE) {

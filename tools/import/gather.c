@@ -132,6 +132,11 @@ static const struct aiNode *find_node(const struct aiNode *node, const char *nam
     return NULL;
 }
 
+const struct aiNode *gather_find_node(const importer *import, const char *name)
+{
+    return find_node(import->file->mRootNode, name);
+}
+
 bool gather_node_matrix(importer *import, const char *name, matrix34 *world)
 {
     *world = identity;

@@ -112,6 +112,8 @@ int check_file(importer *import);
 
 /* gather.c: world matrices of all uses of meshes; of a named node, identity and false when there is none. */
 int gather_instances(importer *import);
+/* The first node of that name, or NULL. */
+const struct aiNode *gather_find_node(const importer *import, const char *name);
 bool gather_node_matrix(importer *import, const char *name, matrix34 *world);
 void transform_point(const matrix34 *matrix, const double point[3], double result[3]);
 void transform_direction(const matrix34 *matrix, const double direction[3], double result[3]);

@@ -26,11 +26,14 @@
 #include <assimp/material.h>
 
 typedef struct float_material {
-    double ambient[3], diffuse[3], specular[3], exponent;
+    double ambient[3], diffuse[3], specular[3], emission[3], exponent;
     bool blinn;
 } float_material;
 
-static const char *const part_names[] = {"ambient", "diffuse", "specular"};
+/* What a material has in three channels. */
+enum { PARTS = 4 };
+static const char *const part_names[PARTS] = {"ambient reflectance", "diffuse reflectance", "specular reflectance",
+                                              "emission"};
 
 static bool get_number(const struct aiMaterial *material, const char *key, unsigned type, unsigned index, double *value)
 {
@@ -93,13 +96,9 @@ static void warn_of_rest(importer *import, const struct aiMaterial *material, co
     if (textures) {
         store_warn(import->out, "material '%s': textures are ignored", name);
     }
-    double opacity = 1, emission[3] = {0, 0, 0};
+    double opacity = 1;
     if (get_number(material, AI_MATKEY_OPACITY, &opacity) && opacity < 1) {
         store_warn(import->out, "material '%s': opacity %g is ignored; it is drawn opaque", name, opacity);
-    }
-    if (get_colour(material, AI_MATKEY_COLOR_EMISSIVE, emission) &&
-        (emission[0] > 0 || emission[1] > 0 || emission[2] > 0)) {
-        store_warn(import->out, "material '%s': emission is ignored", name);
     }
     if (get_integer(material, AI_MATKEY_TWOSIDED, 0)) {
         store_warn(import->out, "material '%s': its back faces are not drawn", name);
@@ -153,14 +152,14 @@ static int to_colour(importer *import, const char *name, const char *part, const
     bool clamped = false;
     for (int k = 0; k < 3; k++) {
         if (!isfinite(value[k])) {
-            return fail(import, "material '%s': the %s reflectance is not finite; 0 to 1 expected", name, part);
+            return fail(import, "material '%s': the %s is not finite; 0 to 1 expected", name, part);
         }
         clamped = clamped || value[k] < 0 || value[k] > 1;
         codes[k] = (int16_t)fmax(0, to_fixed(value[k], FIXED_ONE_Q14, FIXED_ONE_Q14));
     }
     if (clamped) {
-        store_warn(import->out, "material '%s': the %s reflectance (%g, %g, %g) is limited to 0 to 1", name, part,
-                   value[0], value[1], value[2]);
+        store_warn(import->out, "material '%s': the %s (%g, %g, %g) is limited to 0 to 1", name, part, value[0],
+                   value[1], value[2]);
     }
     *result = (glint_colour){codes[0], codes[1], codes[2]};
     return 0;
@@ -179,9 +178,10 @@ static int make_material(importer *import, const struct aiMaterial *material, gl
     } else {
         from_phong(import, material, name, &values);
     }
-    const double *parts[3] = {values.ambient, values.diffuse, values.specular};
-    glint_colour *colours[3] = {&result->ambient, &result->diffuse, &result->specular};
-    for (int i = 0; i < 3; i++) {
+    get_colour(material, AI_MATKEY_COLOR_EMISSIVE, values.emission);
+    const double *const parts[PARTS] = {values.ambient, values.diffuse, values.specular, values.emission};
+    glint_colour *const colours[PARTS] = {&result->ambient, &result->diffuse, &result->specular, &result->emission};
+    for (int i = 0; i < PARTS; i++) {
         if (to_colour(import, name, part_names[i], parts[i], colours[i])) {
             return -1;
         }

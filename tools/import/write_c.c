@@ -94,6 +94,7 @@ static void write_material(FILE *file, const char *prefix, size_t number, const 
     write_colour(file, "    ", "ambient", &material->ambient);
     write_colour(file, "    ", "diffuse", &material->diffuse);
     write_colour(file, "    ", "specular", &material->specular);
+    write_colour(file, "    ", "emission", &material->emission);
     fprintf(file, "    .exponent_q4 = %u,\n    .specular_model = %s,\n};\n\n", (unsigned)material->exponent_q4,
             material->specular_model == GLINT_BLINN ? "GLINT_BLINN" : "GLINT_PHONG");
 }
@@ -160,19 +161,36 @@ static void write_objects(FILE *file, const glint_scene *scene, const char *pref
     fputs("};\n\n", file);
 }
 
+static void write_attenuation(FILE *file, const glint_attenuation *a)
+{
+    if (a->unit_q16 == 0 && a->range_q16 == 0) {
+        return;
+    }
+    fprintf(file, "        .attenuation = {.k_q14 = {%u, %u, %u}, .unit_q16 = %lu, .range_q16 = %lu},\n",
+            (unsigned)a->k_q14[0], (unsigned)a->k_q14[1], (unsigned)a->k_q14[2], (unsigned long)a->unit_q16,
+            (unsigned long)a->range_q16);
+}
+
 static void write_lights(FILE *file, const glint_scene *scene, const char *prefix)
 {
     fprintf(file, "static const glint_light %s_lights[%u] = {\n", prefix, (unsigned)scene->light_count);
     for (size_t i = 0; i < scene->light_count; i++) {
         const glint_light *light = &scene->lights[i];
-        fputs("    {\n", file);
-        if (light->kind == GLINT_POINT) {
-            fputs("        .kind = GLINT_POINT,\n", file);
+        fprintf(file, "    {\n        .kind = %s,\n",
+                light->kind == GLINT_SPOT    ? "GLINT_SPOT"
+                : light->kind == GLINT_POINT ? "GLINT_POINT"
+                                             : "GLINT_DIRECTIONAL");
+        if (light->kind != GLINT_DIRECTIONAL) {
             write_int32s(file, "        ", "position_q16", light->position_q16);
-        } else {
+            write_attenuation(file, &light->attenuation);
+        }
+        if (light->kind != GLINT_POINT) {
             const int32_t direction[3] = {light->direction[0], light->direction[1], light->direction[2]};
-            fputs("        .kind = GLINT_DIRECTIONAL,\n", file);
             write_int32s(file, "        ", "direction", direction);
+        }
+        if (light->kind == GLINT_SPOT) {
+            fprintf(file, "        .inner_turn16 = %u,\n        .outer_turn16 = %u,\n", (unsigned)light->inner_turn16,
+                    (unsigned)light->outer_turn16);
         }
         write_colour(file, "        ", "colour", &light->colour);
         fputs("    },\n", file);

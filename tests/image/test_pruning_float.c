@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Plans change no pixel of the float backend, see test_pruning.h.
+ */
+#include "tests/image/full_plan.h"
+
+/* the copy of the backend beside the library's own */
+#define glint_float_render full_render
+#define glint_float_memory_bytes full_memory_bytes
+#define glint_float_memory_least_bytes full_memory_least_bytes
+#include "backend/float.c"
+#undef glint_float_render
+#undef glint_float_memory_bytes
+#undef glint_float_memory_least_bytes
+
+#define PRUNING_RENDER glint_float_render
+#define PRUNING_FULL full_render
+#include "tests/image/test_pruning.h"
