@@ -495,16 +495,20 @@ static void expect_words_bound(const demo_scene *demo, const glint_display *d)
         vertices += scene->objects[i].mesh->vertex_count;
         triangles += scene->objects[i].mesh->triangle_count;
     }
-    uint32_t reaches = 0;
+    uint32_t reaches = 0, casting = 0;
     for (uint16_t i = 0; i < scene->light_count; i++) {
         const glint_light *light = &scene->lights[i];
         const glint_attenuation *a = &light->attenuation;
+        casting += light->casts_shadows;
         reaches += light->kind == GLINT_SPOT || a->range_q16 != 0 || a->k_q14[0] || a->k_q14[1] || a->k_q14[2];
     }
     const size_t bound =
         (size_t)4 * (GLINT_MEMORY_WORDS(d->width_px, d->height_px, d->band_px, d->format, d->buffer_count, vertices,
                                         triangles, scene->object_count, scene->light_count) +
-                     scene->object_count * reaches * GLINT_REACH_WORDS);
+                     scene->object_count * reaches * GLINT_REACH_WORDS +
+                     (casting == 0 ? 0
+                                   : GLINT_SHADOW_WORDS(d->width_px, d->band_px, triangles, scene->object_count,
+                                                        scene->light_count, casting)));
     for (int b = 0; b < BACKENDS; b++) {
         const size_t bytes = backends[b].memory_bytes(scene, d);
         if (bytes == 0 || bytes > bound || (double)bound > WORDS_FACTOR * (double)bytes + WORDS_MORE) {
