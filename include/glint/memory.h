@@ -16,22 +16,23 @@
 #define GLINT_REACH_BYTES 72
 #define GLINT_REACH_WORDS (GLINT_REACH_BYTES / 4)
 
-/* With lights that cast shadows: of the frame, of each such light, of each object, and of 16 triangles of a mesh. */
+/* With lights that cast shadows: of the frame, of each such light, of each object, and of 8 triangles of a mesh. */
 #define GLINT_SHADOW_STATE_BYTES 512
 #define GLINT_SHADOW_LIGHT_BYTES 24
 #define GLINT_SHADOW_OBJECT_BYTES 96
-#define GLINT_SHADOW_BOX_BYTES 24
+#define GLINT_SHADOW_BOX_BYTES 12
 
 /*
  * uint32_t words more that a scene takes in which `casting` of its lights cast shadows, at least one; the other arguments
  * are those of GLINT_MEMORY_WORDS. The greatest part is one bit for each pixel of a band and casting light.
  */
-#define GLINT_SHADOW_WORDS(width_px, band_px, triangles, objects, lights, casting)                                     \
+#define GLINT_SHADOW_WORDS(width_px, band_px, vertices, triangles, objects, lights, casting)                           \
     (GLINT_SHADOW_STATE_BYTES / 4 + (uint32_t)(lights) * (GLINT_LIGHT_BYTES / 4) +                                     \
      (uint32_t)(casting) *                                                                                             \
          (GLINT_SHADOW_LIGHT_BYTES / 4 + ((uint32_t)(width_px) + 31) / 32 * (uint32_t)(band_px)) +                     \
      (uint32_t)(objects) * (GLINT_SHADOW_OBJECT_BYTES / 4) +                                                           \
-     ((uint32_t)(triangles) / 16 + (uint32_t)(objects)) * (GLINT_SHADOW_BOX_BYTES / 4))
+     ((uint32_t)(triangles) / 4 + (uint32_t)(objects)*16) * (GLINT_SHADOW_BOX_BYTES / 4) +                             \
+     ((uint32_t)(vertices)*3 + (uint32_t)(objects)) / 2)
 
 /* With a tolerance, this many words more for each object let its material keep a ramp of pixels (RGB565 without dither)
  * and a table of its highlight: faster, the same image. */

@@ -16,9 +16,20 @@ uint16_t glint_shadow_light_count(const glint_scene *scene)
     return count;
 }
 
-static uint16_t cluster_count(const glint_mesh *mesh)
+/* Boxes of a mesh: of GLINT_SHADOW_LEAF triangles each, then of two of these, up to one of all. */
+static uint32_t box_count(const glint_mesh *mesh)
 {
-    return (uint16_t)((mesh->triangle_count + GLINT_SHADOW_CLUSTER - 1u) / GLINT_SHADOW_CLUSTER);
+    uint32_t level = (mesh->triangle_count + GLINT_SHADOW_LEAF - 1u) / GLINT_SHADOW_LEAF, count = level;
+    while (level > 1) {
+        level = (level + 1) / 2;
+        count += level;
+    }
+    return count;
+}
+
+static uint32_t coarse_bytes(uint32_t vertices)
+{
+    return (vertices * 6 + 3) & ~(uint32_t)3;
 }
 
 static uint32_t mask_words(uint16_t width_px)
@@ -29,14 +40,15 @@ static uint32_t mask_words(uint16_t width_px)
 uint64_t glint_shadow_bytes(const glint_scene *scene, uint16_t width_px, uint16_t band_px)
 {
     const uint64_t lights = glint_shadow_light_count(scene);
-    uint64_t clusters = 0;
+    uint64_t of_meshes = 0;
     for (uint16_t i = 0; i < scene->object_count; i++) {
-        clusters += cluster_count(scene->objects[i].mesh);
+        const glint_mesh *mesh = scene->objects[i].mesh;
+        of_meshes += box_count(mesh) * (uint64_t)sizeof(glint_shadow_box) + coarse_bytes(mesh->vertex_count);
     }
     return lights == 0 ? 0
                        : scene->object_count * (uint64_t)sizeof(glint_shadow_object) +
                              lights * (sizeof(glint_shadow_light) + mask_words(width_px) * 4u * (uint64_t)band_px) +
-                             clusters * sizeof(glint_shadow_box);
+                             of_meshes;
 }
 
 /* A light as an object of one point: its position, or the tip of a vector along x. */
@@ -123,66 +135,81 @@ static void vertex_at(const glint_shadow_object *object, uint16_t vertex, int32_
     }
 }
 
-static void triangle_at(const glint_shadow_object *object, uint16_t triangle, uint16_t vertex[3], int32_t v[3][3])
-{
-    for (int i = 0; i < 3; i++) {
-        vertex[i] = flash_u16(&object->mesh->triangles[triangle][i]);
-        vertex_at(object, vertex[i], v[i]);
-    }
-}
-
-typedef struct extent {
-    int32_t low[3], high[3];
-} extent;
-
-static void extent_clear(extent *e)
+/* The box of a part of a mesh. */
+static void box_clear(glint_shadow_box *box)
 {
     for (int k = 0; k < 3; k++) {
-        e->low[k] = INT32_MAX;
-        e->high[k] = INT32_MIN;
+        box->low[k] = INT16_MAX;
+        box->high[k] = INT16_MIN;
     }
 }
 
-static void extent_add(extent *e, const int32_t low[3], const int32_t high[3])
+static void box_add(glint_shadow_box *box, const int16_t low[3], const int16_t high[3])
 {
     for (int k = 0; k < 3; k++) {
-        e->low[k] = low[k] < e->low[k] ? low[k] : e->low[k];
-        e->high[k] = high[k] > e->high[k] ? high[k] : e->high[k];
+        box->low[k] = low[k] < box->low[k] ? low[k] : box->low[k];
+        box->high[k] = high[k] > box->high[k] ? high[k] : box->high[k];
     }
 }
 
-static void box_from(glint_shadow_box *box, const extent *e)
+/* Coarse vertices, and the boxes over them. */
+static void mesh_set_up(glint_shadow_object *object, const glint_shadows *shadows)
 {
-    for (int k = 0; k < 3; k++) {
-        box->centre[k] = (e->low[k] + e->high[k]) / 2; /* < 2^29; each below 2^29, so the sum fits */
-        box->half[k] = (e->high[k] - e->low[k]) / 2 + 2;
+    const glint_mesh *mesh = object->mesh;
+    for (uint16_t v = 0; v < mesh->vertex_count; v++) {
+        int32_t fine[3];
+        vertex_at(object, v, fine);
+        for (int k = 0; k < 3; k++) {
+            object->coarse[v][k] = (int16_t)(fine[k] >> shadows->coarse_bits[k]);
+        }
     }
-}
-
-/* The boxes of an object; clusters from `cluster` on. Returns their end. */
-static glint_shadow_box *boxes_set_up(glint_shadow_object *object, glint_shadow_box *cluster)
-{
-    extent whole;
-    extent_clear(&whole);
-    object->cluster = cluster;
-    for (uint16_t first = 0, c = 0; c < cluster_count(object->mesh); c++) {
-        const uint16_t left = (uint16_t)(object->mesh->triangle_count - first);
-        extent part;
-        extent_clear(&part);
-        for (uint16_t i = 0; i < left && i < GLINT_SHADOW_CLUSTER; i++) {
-            uint16_t vertex[3];
-            int32_t v[3][3];
-            triangle_at(object, (uint16_t)(first + i), vertex, v);
-            for (int k = 0; k < 3; k++) {
-                extent_add(&part, v[k], v[k]);
+    uint32_t level = 0;
+    for (uint16_t first = 0; first < mesh->triangle_count; level++) {
+        const uint16_t left = (uint16_t)(mesh->triangle_count - first);
+        const uint16_t count = left < GLINT_SHADOW_LEAF ? left : GLINT_SHADOW_LEAF;
+        box_clear(&object->box[level]);
+        for (uint16_t i = 0; i < 3 * count; i++) {
+            const int16_t *at = object->coarse[flash_u16(&mesh->triangles[first + i / 3][i % 3])];
+            box_add(&object->box[level], at, at);
+        }
+        if (left <= GLINT_SHADOW_LEAF) {
+            level++;
+            break;
+        }
+        first = (uint16_t)(first + count);
+    }
+    glint_shadow_box *from = object->box;
+    while (level > 1) {
+        glint_shadow_box *const to = from + level;
+        for (uint32_t i = 0; i < level; i++) {
+            if (i % 2 == 0) {
+                to[i / 2] = from[i];
+            } else {
+                box_add(&to[i / 2], from[i].low, from[i].high);
             }
         }
-        box_from(cluster++, &part);
-        extent_add(&whole, part.low, part.high);
-        first = (uint16_t)(first + GLINT_SHADOW_CLUSTER);
+        from = to;
+        level = (level + 1) / 2;
     }
-    box_from(&object->box, &whole);
-    return cluster;
+}
+
+/* How far down coordinates are shifted to have 16 bits, and what rounding may make of a height then. */
+static void coarse_set_up(glint_shadows *shadows)
+{
+    uint32_t any[3] = {0, 0, 0};
+    for (uint16_t i = 0; i < shadows->object_count; i++) {
+        for (uint16_t v = 0; v < shadows->objects[i].mesh->vertex_count; v++) {
+            int32_t fine[3];
+            vertex_at(&shadows->objects[i], v, fine);
+            for (int k = 0; k < 3; k++) {
+                any[k] |= magnitude32(fine[k]);
+            }
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        const int bits = 32 - clz32(any[k] | 1);
+        shadows->coarse_bits[k] = (uint8_t)(bits > 15 ? bits - 15 : 0);
+    }
 }
 
 void glint_shadows_set_up(glint_shadows *shadows, const glint_scene *scene, const glint_view *view, uint8_t *memory,
@@ -197,7 +224,7 @@ void glint_shadows_set_up(glint_shadows *shadows, const glint_scene *scene, cons
     shadows->tests = 0;
     shadows->objects = (glint_shadow_object *)(void *)memory;
     shadows->lights = (glint_shadow_light *)(void *)(shadows->objects + shadows->object_count);
-    glint_shadow_box *cluster = (glint_shadow_box *)(void *)(shadows->lights + shadows->light_count);
+    uint8_t *free_part = (uint8_t *)(void *)(shadows->lights + shadows->light_count);
 
     /* the grid: the coarsest of all, and one bit less, so that differences have 30 bits */
     shadows->xy_fraction = shadows->z_fraction = INT16_MAX;
@@ -220,9 +247,16 @@ void glint_shadows_set_up(glint_shadows *shadows, const glint_scene *scene, cons
         glint_frame_set_up(&frame, view, &scene->objects[i]);
         object_set_up(object, shadows, &t, &scene->objects[i]);
         object->mirrored = frame.mirrored;
-        cluster = boxes_set_up(object, cluster);
+        object->box = (glint_shadow_box *)(void *)free_part;
+        free_part += box_count(object->mesh) * sizeof(glint_shadow_box);
+        object->coarse = (int16_t(*)[3])(void *)free_part;
+        free_part += coarse_bytes(object->mesh->vertex_count);
     }
-    uint32_t *mask = (uint32_t *)(void *)cluster;
+    coarse_set_up(shadows);
+    for (uint16_t i = 0; i < scene->object_count; i++) {
+        mesh_set_up(&shadows->objects[i], shadows);
+    }
+    uint32_t *mask = (uint32_t *)(void *)free_part;
     for (uint16_t i = 0, k = 0; i < scene->light_count; i++) {
         if (scene->lights[i].casts_shadows) {
             light_set_up(&shadows->lights[k], shadows, &scene->lights[i], view);
@@ -234,6 +268,22 @@ void glint_shadows_set_up(glint_shadows *shadows, const glint_scene *scene, cons
 
 /* ------------------------------------------------------------------------------------------------------------- planes
  */
+
+/* a b: whole, by four products of 16 bits where the processor has no wider ones. */
+static int64_t product(int32_t a, int32_t b)
+{
+#if GLINT_WIDE_MULTIPLY
+    return (int64_t)a * b;
+#else
+    const uint32_t low = (uint32_t)a * (uint32_t)b;
+    return (int64_t)((uint64_t)(uint32_t)multiply_high_s32(a, b) << 32 | low);
+#endif
+}
+
+static int64_t product_sum(const int32_t a[3], const int32_t b[3])
+{
+    return product(a[0], b[0]) + product(a[1], b[1]) + product(a[2], b[2]);
+}
 
 /* normal.(p - base) = 0; |normal| < 2^30. */
 typedef struct plane {
@@ -248,17 +298,23 @@ static uint32_t sum_of(const int32_t v[3])
     return magnitude32(v[0]) + magnitude32(v[1]) + magnitude32(v[2]);
 }
 
-/* Through `base`, along a and b, |.| < 2^30: their cross product is below 2^61. */
-static void plane_along(plane *p, const int32_t base[3], const int32_t a[3], const int32_t b[3])
+/* Through `base`, along a and b, |.| < 2^30: their cross product is below 2^61. Returns by how much that was shifted
+ * down; does not set what rounding makes. */
+static int plane_along(plane *p, const int32_t base[3], const int32_t a[3], const int32_t b[3])
 {
     int64_t n[3];
     p->turned = false;
     for (int k = 0; k < 3; k++) {
         const int i = k < 2 ? k + 1 : 0, j = k > 0 ? k - 1 : 2;
-        n[k] = (int64_t)a[i] * b[j] - (int64_t)a[j] * b[i];
+        n[k] = product(a[i], b[j]) - product(a[j], b[i]);
         p->base[k] = base[k];
     }
-    const int down = vector_narrow(n, false, p->normal);
+    return vector_narrow(n, false, p->normal);
+}
+
+/* What rounding makes, for plane_height(). */
+static void plane_noise(plane *p, const int32_t a[3], const int32_t b[3], int down)
+{
     const uint64_t tilt = ((((uint64_t)sum_of(a) + sum_of(b)) * (2 * GLINT_SHADOW_NOISE)) >> down) + 1;
     p->tilt = tilt < (uint32_t)1 << 29 ? (uint32_t)tilt : (uint32_t)1 << 29;
     p->noise = (int64_t)sum_of(p->normal) * (2 * GLINT_SHADOW_NOISE);
@@ -268,23 +324,12 @@ static void plane_along(plane *p, const int32_t base[3], const int32_t a[3], con
 static int64_t plane_height(const plane *p, const int32_t v[3], int64_t *noise)
 {
     int32_t d[3];
-    int64_t height = 0;
     for (int k = 0; k < 3; k++) {
         d[k] = v[k] - p->base[k];
-        height += (int64_t)p->normal[k] * d[k];
     }
-    *noise = p->noise + (int64_t)sum_of(d) * p->tilt;
-    return height;
-}
-
-/* What a box adds to its centre's height on either side. */
-static int64_t plane_support(const plane *p, const glint_shadow_box *box)
-{
-    int64_t support = 0;
-    for (int k = 0; k < 3; k++) {
-        support += (int64_t)magnitude32(p->normal[k]) * box->half[k];
-    }
-    return support;
+    const uint32_t way = sum_of(d); /* < 3 2^30 */
+    *noise = p->noise + (product((int32_t)(way >> 2), (int32_t)p->tilt) + p->tilt) * 4;
+    return product_sum(p->normal, d);
 }
 
 static void plane_turn(plane *p)
@@ -317,41 +362,44 @@ static bool before(const int32_t a[3], const int32_t b[3])
 
 /* The plane through the light and an edge, its normal along (b - a) x s. Neighbours get the same one, turned, to the
  * bit: it is made from the smaller end on. */
-static void plane_of_edge(plane *p, const glint_shadow_light *light, const int32_t a[3], const int32_t b[3])
+static void plane_of_edge(plane *p, const glint_shadow_light *light, const int32_t a[3], const int32_t b[3], bool noisy)
 {
     int32_t edge[3], towards[3];
     const bool turn = before(b, a);
     from_to(turn ? b : a, turn ? a : b, edge);
     towards_light(light, turn ? b : a, towards);
-    plane_along(p, turn ? b : a, edge, towards);
+    const int down = plane_along(p, turn ? b : a, edge, towards);
+    if (noisy) {
+        plane_noise(p, edge, towards, down);
+    }
     if (turn) {
         plane_turn(p);
     }
 }
 
-/* Planes through the corners of a triangle and the light. Returns n.s in sign, n along (b - a) x (c - a): 0 where the
- * light is in the triangle's plane, but for rounding. Then nothing else is set. */
-static int planes_of(const glint_shadow_light *light, int32_t corner[3][3], plane *own, plane side[3])
+/* A triangle's own plane. Returns n.s in sign, n along (b - a) x (c - a): 0 where the light is in that plane, but for
+ * rounding. */
+static int plane_of_face(plane *own, const glint_shadow_light *light, int32_t corner[3][3])
 {
     int32_t ab[3], ac[3], towards[3];
-    int64_t across = 0;
     from_to(corner[0], corner[1], ab);
     from_to(corner[0], corner[2], ac);
     towards_light(light, corner[0], towards);
-    plane_along(own, corner[0], ab, ac);
-    for (int k = 0; k < 3; k++) {
-        across += (int64_t)own->normal[k] * towards[k];
+    plane_noise(own, ab, ac, plane_along(own, corner[0], ab, ac));
+    const int64_t across = product_sum(own->normal, towards);
+    const uint32_t way = sum_of(towards);
+    const int64_t noise = own->noise + (product((int32_t)(way >> 2), (int32_t)own->tilt) + own->tilt) * 4;
+    return (int64_t)magnitude64(across) <= noise ? 0 : across > 0 ? 1 : -1;
+}
+
+/* The plane through the light and edge i of a triangle, its positive side towards the third corner. */
+static void plane_of_side(plane *side, const glint_shadow_light *light, int32_t corner[3][3], int i, int facing,
+                          bool noisy)
+{
+    plane_of_edge(side, light, corner[i], corner[i == 2 ? 0 : i + 1], noisy);
+    if (facing > 0) { /* inside is against (b - a) x s for a triangle that faces the light */
+        plane_turn(side);
     }
-    if ((int64_t)magnitude64(across) <= own->noise + (int64_t)sum_of(towards) * own->tilt) {
-        return 0;
-    }
-    for (int i = 0; i < 3; i++) {
-        plane_of_edge(&side[i], light, corner[i], corner[i == 2 ? 0 : i + 1]);
-        if (across > 0) { /* inside is against (b - a) x s for a triangle that faces the light */
-            plane_turn(&side[i]);
-        }
-    }
-    return across > 0 ? 1 : -1;
 }
 
 /* -------------------------------------------------------------------------------------------------------------- search
@@ -359,25 +407,68 @@ static int planes_of(const glint_shadow_light *light, int32_t corner[3][3], plan
 
 /* What may throw a shadow on the receiver lies above its plane, as the light sees it, and within the planes through its
  * edges and the light. */
+/* A plane in coarse coordinates: a point of which normal.p < least lies behind it, rounding considered. */
+typedef struct coarse_plane {
+    int32_t normal[3], least;
+} coarse_plane;
+
 typedef struct search {
     glint_shadows *shadows;
     glint_shadow_light *light;
     const glint_shadow_receiver *receiver;
     plane own, side[3]; /* own is turned to the light */
+    coarse_plane coarse[4];
     int64_t eye;        /* of the eye over own, turned as it is: -normal.base */
     bool found;
 } search;
 
+#define COARSE_NORMAL_BITS 13
+
+/*
+ * A normal of 13 bits and coordinates of 16: a height is below 3 2^28. It errs by half a unit of the normal for each unit
+ * of the way from the base, at most 3 2^16, and by a unit of the way for each of the normal, at most 3 2^13.
+ */
+static void coarse_from(coarse_plane *out, const plane *p, const uint8_t down[3])
+{
+    int64_t n[3], at = 0;
+    uint64_t any = 1;
+    for (int k = 0; k < 3; k++) {
+        n[k] = (int64_t)p->normal[k] * ((int64_t)1 << down[k]); /* < 2^45 */
+        any |= magnitude64(n[k]);
+    }
+    const int shift = COARSE_NORMAL_BITS - bit_length64(any);
+    for (int k = 0; k < 3; k++) {
+        out->normal[k] = (int32_t)glint_shift_round64(n[k], shift);
+        at += ((int64_t)out->normal[k] * p->base[k]) >> down[k];
+    }
+    out->least = (int32_t)at - (((int32_t)3 << 15) + ((int32_t)3 << COARSE_NORMAL_BITS) + 4);
+}
+
 static bool box_may_cast(const search *s, const glint_shadow_box *box)
 {
-    int64_t noise;
-    int64_t height = plane_height(&s->own, box->centre, &noise) + plane_support(&s->own, box);
-    if (height <= noise) {
-        return false;
+    for (int i = 0; i < 4; i++) {
+        const int32_t *n = s->coarse[i].normal;
+        if (n[0] * (n[0] > 0 ? box->high[0] : box->low[0]) + n[1] * (n[1] > 0 ? box->high[1] : box->low[1]) +
+                n[2] * (n[2] > 0 ? box->high[2] : box->low[2]) <
+            s->coarse[i].least) {
+            return false;
+        }
     }
-    for (int i = 0; i < 3; i++) {
-        height = plane_height(&s->side[i], box->centre, &noise) + plane_support(&s->side[i], box);
-        if (height < -noise) {
+    return true;
+}
+
+static int32_t coarse_height(const int32_t n[3], const int16_t v[3])
+{
+    return n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
+}
+
+static bool coarse_may_cast(const search *s, const glint_shadow_object *object, const uint16_t vertex[3])
+{
+    const int16_t *const a = object->coarse[vertex[0]], *const b = object->coarse[vertex[1]],
+                         *const c = object->coarse[vertex[2]];
+    for (int i = 0; i < 4; i++) {
+        const int32_t *n = s->coarse[i].normal, least = s->coarse[i].least;
+        if (coarse_height(n, a) < least && coarse_height(n, b) < least && coarse_height(n, c) < least) {
             return false;
         }
     }
@@ -421,20 +512,19 @@ static void line_of(line *out, const search *s, const plane *p)
 {
     const glint_shadows *shadows = s->shadows;
     const glint_box *box = s->receiver->box;
-    int64_t at = 0, l[3];
+    int64_t l[3];
     int32_t normal[3];
     for (int k = 0; k < 3; k++) {
         normal[k] = p->turned ? -p->normal[k] : p->normal[k];
-        at -= (int64_t)normal[k] * p->base[k]; /* < 2^61 */
     }
-    /* (e m - d n) sign(e), e and d to 31 bits */
+    const int64_t at = -product_sum(normal, p->base); /* < 2^61 */
+    /* (e m - d n) sign(e), e and d to 30 bits */
     const int long_bits = bit_length64(magnitude64(at) | magnitude64(s->eye));
-    const int down = long_bits > 31 ? long_bits - 31 : 0;
-    const int64_t d = glint_shift_round64(at, -down), e = glint_shift_round64(s->eye, -down);
+    const int down = long_bits > 30 ? long_bits - 30 : 0;
+    const int32_t d = (int32_t)glint_shift_round64(at, -down), e = (int32_t)glint_shift_round64(s->eye, -down);
     int bits = 0;
     for (int k = 0; k < 3; k++) {
-        l[k] = e * normal[k] - d * s->own.normal[k]; /* <= 2 2^61 */
-        l[k] >>= 1;
+        l[k] = product(e, normal[k]) - product(d, s->own.normal[k]); /* <= 2 2^60 */
         /* a ray has components of half pixels from the display's middle, 12 bits, and of twice the grid's ratio */
         const int with = bit_length64(magnitude64(l[k])) + (k < 2 ? 13 : shadows->z_fraction - shadows->xy_fraction + 1);
         bits = with > bits || k == 0 ? with : bits;
@@ -533,25 +623,36 @@ static void cast_triangle(search *s, uint16_t number, uint16_t triangle)
     const bool own = number == s->receiver->object;
     uint16_t vertex[3];
     int32_t v[3][3];
-    plane bound[4];
     line l[4];
-    triangle_at(object, triangle, vertex, v);
+    for (int i = 0; i < 3; i++) {
+        vertex[i] = flash_u16(&object->mesh->triangles[triangle][i]);
+    }
+    if (!coarse_may_cast(s, object, vertex)) {
+        return;
+    }
     if (own && vertex[0] == s->receiver->vertex[0] && vertex[1] == s->receiver->vertex[1] &&
         vertex[2] == s->receiver->vertex[2]) {
         return;
     }
+    for (int i = 0; i < 3; i++) {
+        vertex_at(object, vertex[i], v[i]);
+    }
     if (!triangle_may_cast(s, v)) {
         return;
     }
-    const int facing = planes_of(s->light, v, &bound[3], bound);
+    plane bound;
+    const int facing = plane_of_face(&bound, s->light, v);
     if (facing == 0 || (own && !object->own_front && (facing > 0) != object->mirrored)) {
         return;
     }
     if (facing > 0) { /* beyond it as seen from the light */
-        plane_turn(&bound[3]);
+        plane_turn(&bound);
     }
-    for (int i = 0; i < 4; i++) {
-        line_of(&l[i], s, &bound[i]);
+    for (int i = 3; i >= 0; i--) {
+        if (i < 3) {
+            plane_of_side(&bound, s->light, v, i, facing, false);
+        }
+        line_of(&l[i], s, &bound);
         if (i == 3) { /* where it stands on the receiver, it is not beyond itself */
             l[i].value -= ((int32_t)(magnitude32(l[i].step_x) + magnitude32(l[i].step_y)) >> 12) + 2;
         }
@@ -567,6 +668,43 @@ static void cast_triangle(search *s, uint16_t number, uint16_t triangle)
     fill(s->shadows, s->light->mask, s->receiver->box, l);
 }
 
+#define MOST_LEVELS 16
+
+/* Down the boxes of an object wherever they may cast. */
+static void cast_object(search *s, uint16_t number)
+{
+    const glint_shadow_object *object = &s->shadows->objects[number];
+    const uint16_t triangles = object->mesh->triangle_count;
+    const glint_shadow_box *first[MOST_LEVELS];
+    uint16_t count[MOST_LEVELS], i = 0;
+    int top = 0;
+    first[0] = object->box;
+    count[0] = (uint16_t)((triangles + GLINT_SHADOW_LEAF - 1u) / GLINT_SHADOW_LEAF);
+    for (; count[top] > 1; top++) {
+        first[top + 1] = first[top] + count[top];
+        count[top + 1] = (uint16_t)((count[top] + 1u) / 2);
+    }
+    for (int level = top; level <= top;) {
+        if (box_may_cast(s, &first[level][i])) {
+            if (level > 0) {
+                level--;
+                i = (uint16_t)(i * 2);
+                continue;
+            }
+            for (uint32_t t = (uint32_t)i * GLINT_SHADOW_LEAF;
+                 t < ((uint32_t)i + 1) * GLINT_SHADOW_LEAF && t < triangles; t++) {
+                cast_triangle(s, number, (uint16_t)t);
+            }
+        }
+        /* to the right neighbour, or up until there is one */
+        while (level <= top && ((i & 1) != 0 || i + 1u >= count[level])) {
+            level++;
+            i >>= 1;
+        }
+        i++;
+    }
+}
+
 bool glint_shadow_fall(glint_shadows *shadows, const glint_shadow_receiver *receiver, uint16_t light)
 {
     const glint_shadow_object *on = &shadows->objects[receiver->object];
@@ -579,33 +717,27 @@ bool glint_shadow_fall(glint_shadows *shadows, const glint_shadow_receiver *rece
     for (int i = 0; i < 3; i++) {
         vertex_at(on, receiver->vertex[i], corner[i]);
     }
-    const int facing = planes_of(s.light, corner, &s.own, s.side);
+    const int facing = plane_of_face(&s.own, s.light, corner);
     if (facing == 0) {
         return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        plane_of_side(&s.side[i], s.light, corner, i, facing, true);
     }
     if (facing < 0) {
         plane_turn(&s.own);
     }
-    s.eye = 0;
-    for (int k = 0; k < 3; k++) {
-        s.eye -= (int64_t)s.own.normal[k] * s.own.base[k];
-    }
+    s.eye = -product_sum(s.own.normal, s.own.base);
     if (s.eye == 0) {
         return false; /* seen from the side: there are no pixels of it */
     }
+    coarse_from(&s.coarse[0], &s.own, shadows->coarse_bits);
+    for (int i = 0; i < 3; i++) {
+        coarse_from(&s.coarse[i + 1], &s.side[i], shadows->coarse_bits);
+    }
     for (uint16_t i = 0; i < shadows->object_count; i++) {
-        const glint_shadow_object *object = &shadows->objects[i];
-        if (!object->casts || !box_may_cast(&s, &object->box)) {
-            continue;
-        }
-        for (uint16_t c = 0, triangle = 0; c < cluster_count(object->mesh); c++) {
-            const uint16_t left = (uint16_t)(object->mesh->triangle_count - triangle);
-            const uint16_t count = left < GLINT_SHADOW_CLUSTER ? left : GLINT_SHADOW_CLUSTER;
-            const bool may = box_may_cast(&s, &object->cluster[c]);
-            for (uint16_t t = 0; may && t < count; t++) {
-                cast_triangle(&s, i, (uint16_t)(triangle + t));
-            }
-            triangle = (uint16_t)(triangle + count);
+        if (shadows->objects[i].casts) {
+            cast_object(&s, i);
         }
     }
     s.light->falls = s.found;

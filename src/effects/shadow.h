@@ -38,18 +38,19 @@
  * (2, 1.5 and 1.25 units), and each of three products is rounded down (3). */
 #define GLINT_SHADOW_NOISE 8
 
-/* Triangles of a mesh, in its order, that share a box. */
-#define GLINT_SHADOW_CLUSTER 16
+/* Triangles of a mesh, in its order, that share a box; boxes over two such, and so on, make a tree in that order. */
+#define GLINT_SHADOW_LEAF 8
 
+/* In coarse coordinates, rounded down: to look through a mesh takes products of 32 bits. */
 typedef struct glint_shadow_box {
-    int32_t centre[3], half[3]; /* half is rounded up, noise included */
+    int16_t low[3], high[3];
 } glint_shadow_box;
 
 typedef struct glint_shadow_object {
     const glint_mesh *mesh;
     int32_t row[3][4]; /* a coordinate: (row[0] x + row[1] y + row[2] z) / 2^16 + row[3] */
-    glint_shadow_box box;
-    glint_shadow_box *cluster;
+    glint_shadow_box *box;
+    int16_t (*coarse)[3]; /* of each vertex */
     bool casts, own_front, mirrored; /* own_front: its outsides cast on itself, too */
 } glint_shadow_object;
 
@@ -66,6 +67,7 @@ typedef struct glint_shadows {
     uint16_t object_count, light_count, words;
     uint16_t width_px, height_px;
     int16_t xy_fraction, z_fraction; /* of the grid: f X 2^xy_fraction, Z 2^z_fraction */
+    uint8_t coarse_bits[3];          /* by which a coordinate is shifted down to 16 bits */
     int16_t y_first, y_last;         /* the band being drawn */
     uint32_t tests;                  /* casting triangles whose shadows were filled in */
 } glint_shadows;
@@ -85,7 +87,7 @@ typedef char glint_assert_shadow_box_bytes[sizeof(glint_shadow_box) <= GLINT_SHA
 /* How many lights of a scene cast shadows. */
 uint16_t glint_shadow_light_count(const glint_scene *scene);
 
-/* Bytes for `masks` rows of bits, lights, objects and boxes, all multiples of 4; 0 if no light casts shadows. */
+/* Bytes for masks, lights, objects, their coarse vertices and boxes, all multiples of 4; 0 if no light casts shadows. */
 uint64_t glint_shadow_bytes(const glint_scene *scene, uint16_t width_px, uint16_t band_px);
 
 /* Sets all up for a frame, in that many bytes at `memory`. */

@@ -507,8 +507,8 @@ static void expect_words_bound(const demo_scene *demo, const glint_display *d)
                                         triangles, scene->object_count, scene->light_count) +
                      scene->object_count * reaches * GLINT_REACH_WORDS +
                      (casting == 0 ? 0
-                                   : GLINT_SHADOW_WORDS(d->width_px, d->band_px, triangles, scene->object_count,
-                                                        scene->light_count, casting)));
+                                   : GLINT_SHADOW_WORDS(d->width_px, d->band_px, vertices, triangles,
+                                                        scene->object_count, scene->light_count, casting)));
     for (int b = 0; b < BACKENDS; b++) {
         const size_t bytes = backends[b].memory_bytes(scene, d);
         if (bytes == 0 || bytes > bound || (double)bound > WORDS_FACTOR * (double)bytes + WORDS_MORE) {
