@@ -40,7 +40,8 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     needs->shadows = glint_shadow_bytes(scene, display->width_px, band);
     needs->shadows += needs->shadows ? whole_words(bytes->shadow) : 0;
     /* with shadows, one of each light once more: see effects/shadow.inc */
-    needs->lights = (scene->object_count + (uint64_t)(needs->shadows != 0)) * scene->light_count * whole_words(bytes->light);
+    needs->lights =
+        (scene->object_count + (uint64_t)(needs->shadows != 0)) * scene->light_count * whole_words(bytes->light);
     needs->reach_count = 0;
     for (uint16_t i = 0; i < scene->light_count; i++) {
         needs->reach_count = (uint16_t)(needs->reach_count + light_reaches(&scene->lights[i]));

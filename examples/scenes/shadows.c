@@ -51,8 +51,10 @@ static const glint_camera lamp_camera = {
 
 static const glint_object lamp_objects[] = {
     {&glint_mesh_plane, &sand, PLACE_SCALED(4000, 1000, 4000, 0, 0, 0)},
-    {&glint_mesh_plane, &wall, {.linear_q16 = {{MILLI_Q16(4000), 0, 0}, {0, 0, MILLI_Q16(-2000)}, {0, MILLI_Q16(1000), 0}},
-                                .origin_q16 = POINT(0, 2000, -2600)}},
+    {&glint_mesh_plane,
+     &wall,
+     {.linear_q16 = {{MILLI_Q16(4000), 0, 0}, {0, 0, MILLI_Q16(-2000)}, {0, MILLI_Q16(1000), 0}},
+      .origin_q16 = POINT(0, 2000, -2600)}},
     {&glint_mesh_box, &brick, PLACE_TURNED(12, 5, 13, 700, -700, 700, -600)},
     {&glint_mesh_sphere_32x16, &gold, PLACE_SCALED(450, 450, 450, -700, 1850, -600)},
     {&glint_mesh_torus_knot, &teal, PLACE_TURNED(24, 7, 25, 450, 1300, 900, 300)},
@@ -60,8 +62,14 @@ static const glint_object lamp_objects[] = {
 };
 
 static const glint_light lamps[] = {
-    {.kind = GLINT_POINT, .position_q16 = POINT(-2000, 2600, 2200), .colour = COLOUR(750, 560, 360), .casts_shadows = true},
-    {.kind = GLINT_POINT, .position_q16 = POINT(2600, 3000, 600), .colour = COLOUR(260, 380, 560), .casts_shadows = true},
+    {.kind = GLINT_POINT,
+     .position_q16 = POINT(-2000, 2600, 2200),
+     .colour = COLOUR(750, 560, 360),
+     .casts_shadows = true},
+    {.kind = GLINT_POINT,
+     .position_q16 = POINT(2600, 3000, 600),
+     .colour = COLOUR(260, 380, 560),
+     .casts_shadows = true},
     {.kind = GLINT_SPOT,
      .position_q16 = POINT(500, 4500, 2500),
      .direction = {2, -40, -24},

@@ -154,8 +154,8 @@ typedef struct glint_attenuation {
 /*
  * Shadows. A light with `casts_shadows` adds neither diffuse nor specular light at a point from which a triangle hides
  * it: one that the straight line from the point to the light (of a directional light: the ray towards it) meets. What
- * counts is the triangle, not the side that it turns, and not the vertices' normals; it need not be seen, nor lie in front
- * of the camera. These do not hide the light:
+ * counts is the triangle, not the side that it turns, and not the vertices' normals; it need not be seen, nor lie in
+ * front of the camera. These do not hide the light:
  *
  *  - the triangle itself to which the point belongs, and what lies in its plane or touches it from behind;
  *  - triangles of a material with GLINT_CASTS_NO_SHADOW;
@@ -164,8 +164,8 @@ typedef struct glint_attenuation {
  *    triangle that turns its inside to the light; but a rounded surface, whose normals are lit a little beyond the edge
  *    where its triangles turn away, does not get that edge as a jagged shadow.
  *
- * Shadows are hard: a point sees the light or does not. They are drawn in exact shading and within a tolerance; flat and
- * Gouraud shading, which light corners and not points, leave them out.
+ * Shadows are hard: a point sees the light or does not. They are drawn in exact shading and within a tolerance; flat
+ * and Gouraud shading, which light corners and not points, leave them out.
  */
 typedef struct glint_light {
     uint8_t kind;

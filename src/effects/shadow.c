@@ -45,10 +45,10 @@ uint64_t glint_shadow_bytes(const glint_scene *scene, uint16_t width_px, uint16_
         const glint_mesh *mesh = scene->objects[i].mesh;
         of_meshes += box_count(mesh) * (uint64_t)sizeof(glint_shadow_box) + coarse_bytes(mesh->vertex_count);
     }
-    return lights == 0 ? 0
-                       : scene->object_count * (uint64_t)sizeof(glint_shadow_object) +
-                             lights * (sizeof(glint_shadow_light) + mask_words(width_px) * 4u * (uint64_t)band_px) +
-                             of_meshes;
+    return lights == 0
+               ? 0
+               : scene->object_count * (uint64_t)sizeof(glint_shadow_object) +
+                     lights * (sizeof(glint_shadow_light) + mask_words(width_px) * 4u * (uint64_t)band_px) + of_meshes;
 }
 
 /* A light as an object of one point: its position, or the tip of a vector along x. */
@@ -288,9 +288,9 @@ static int64_t product_sum(const int32_t a[3], const int32_t b[3])
 /* normal.(p - base) = 0; |normal| < 2^30. */
 typedef struct plane {
     int32_t normal[3], base[3];
-    int64_t noise;  /* what rounding of base and p makes of normal.(p - base), */
-    uint32_t tilt;  /* and that of the normal, for each unit of p - base */
-    bool turned;    /* the normal is the negative of what it was made as */
+    int64_t noise; /* what rounding of base and p makes of normal.(p - base), */
+    uint32_t tilt; /* and that of the normal, for each unit of p - base */
+    bool turned;   /* the normal is the negative of what it was made as */
 } plane;
 
 static uint32_t sum_of(const int32_t v[3])
@@ -418,15 +418,15 @@ typedef struct search {
     const glint_shadow_receiver *receiver;
     plane own, side[3]; /* own is turned to the light */
     coarse_plane coarse[4];
-    int64_t eye;        /* of the eye over own, turned as it is: -normal.base */
+    int64_t eye; /* of the eye over own, turned as it is: -normal.base */
     bool found;
 } search;
 
 #define COARSE_NORMAL_BITS 13
 
 /*
- * A normal of 13 bits and coordinates of 16: a height is below 3 2^28. It errs by half a unit of the normal for each unit
- * of the way from the base, at most 3 2^16, and by a unit of the way for each of the normal, at most 3 2^13.
+ * A normal of 13 bits and coordinates of 16: a height is below 3 2^28. It errs by half a unit of the normal for each
+ * unit of the way from the base, at most 3 2^16, and by a unit of the way for each of the normal, at most 3 2^13.
  */
 static void coarse_from(coarse_plane *out, const plane *p, const uint8_t down[3])
 {
@@ -505,8 +505,9 @@ typedef struct line {
 } line;
 
 /*
- * Where a plane cuts the receiver's, on the screen, its inner side the plane's positive one. A plane that has been turned
- * gives the negative numbers, to the bit: the shadows of neighbours share the pixels on their line, and leave no gap.
+ * Where a plane cuts the receiver's, on the screen, its inner side the plane's positive one. A plane that has been
+ * turned gives the negative numbers, to the bit: the shadows of neighbours share the pixels on their line, and leave no
+ * gap.
  */
 static void line_of(line *out, const search *s, const plane *p)
 {
@@ -526,14 +527,15 @@ static void line_of(line *out, const search *s, const plane *p)
     for (int k = 0; k < 3; k++) {
         l[k] = product(e, normal[k]) - product(d, s->own.normal[k]); /* <= 2 2^60 */
         /* a ray has components of half pixels from the display's middle, 12 bits, and of twice the grid's ratio */
-        const int with = bit_length64(magnitude64(l[k])) + (k < 2 ? 13 : shadows->z_fraction - shadows->xy_fraction + 1);
+        const int with =
+            bit_length64(magnitude64(l[k])) + (k < 2 ? 13 : shadows->z_fraction - shadows->xy_fraction + 1);
         bits = with > bits || k == 0 ? with : bits;
     }
     const int up = 58 - bits;
     const int64_t x = glint_shift_round64(l[0], up), y = glint_shift_round64(l[1], up);
     const int64_t z = glint_shift_round64(l[2], up + shadows->z_fraction - shadows->xy_fraction + 1);
-    const int64_t value =
-        x * (2 * box->x_first + 1 - (int32_t)shadows->width_px) + y * (2 * box->y_first + 1 - (int32_t)shadows->height_px) + z;
+    const int64_t value = x * (2 * box->x_first + 1 - (int32_t)shadows->width_px) +
+                          y * (2 * box->y_first + 1 - (int32_t)shadows->height_px) + z;
     const uint64_t most = magnitude64(value) + 2 * magnitude64(x) * (uint64_t)(box->x_last - box->x_first + 1) +
                           2 * magnitude64(y) * (uint64_t)(box->y_last - box->y_first + 1);
     const int narrow = 29 - bit_length64(most);
@@ -575,8 +577,8 @@ static void fill(const glint_shadows *shadows, uint32_t *mask, const glint_box *
     glint_side side[4];
     for (int i = 0; i < 4; i++) {
         const int32_t begin = l[i].step_x < 0 ? columns - 1 : 0, rows = (int32_t)y_first - box->y_first;
-        side[i].value = (uint32_t)l[i].value + (uint32_t)l[i].step_x * (uint32_t)begin +
-                        (uint32_t)l[i].step_y * (uint32_t)rows;
+        side[i].value =
+            (uint32_t)l[i].value + (uint32_t)l[i].step_x * (uint32_t)begin + (uint32_t)l[i].step_y * (uint32_t)rows;
         side[i].inwards = magnitude32(l[i].step_x);
         side[i].down = (uint32_t)l[i].step_y;
         side[i].inset = 0;

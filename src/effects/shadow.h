@@ -17,8 +17,8 @@
  * products; a row takes steps and comparisons of 32 bits.
  *
  * Errors. A coordinate errs by at most GLINT_SHADOW_NOISE units of the grid, 2^-26 of the scene's extent, which moves a
- * shadow's edge by so much over the sine of the angle at which the light grazes the receiver; and a line errs by 2^-5 px
- * at most from its 31 bits. Neighbours get the same line between their shadows, to the bit, and no light leaks
+ * shadow's edge by so much over the sine of the angle at which the light grazes the receiver; and a line errs by 2^-5
+ * px at most from its 31 bits. Neighbours get the same line between their shadows, to the bit, and no light leaks
  * through. Heights over the receiver's plane within the noise are none, so that neighbours in one plane, and what
  * touches, throw no shadow on each other. tests/unit/test_shadow.c holds this to ray casting.
  */
@@ -34,8 +34,8 @@
 #include "geometry/view.h"
 #include "raster/edges.h"
 
-/* Units of the grid that a coordinate may be off: rows of a glint_transform are rounded, scaled and rounded, and shifted
- * (2, 1.5 and 1.25 units), and each of three products is rounded down (3). */
+/* Units of the grid that a coordinate may be off: rows of a glint_transform are rounded, scaled and rounded, and
+ * shifted (2, 1.5 and 1.25 units), and each of three products is rounded down (3). */
 #define GLINT_SHADOW_NOISE 8
 
 /* Triangles of a mesh, in its order, that share a box; boxes over two such, and so on, make a tree in that order. */
@@ -50,7 +50,7 @@ typedef struct glint_shadow_object {
     const glint_mesh *mesh;
     int32_t row[3][4]; /* a coordinate: (row[0] x + row[1] y + row[2] z) / 2^16 + row[3] */
     glint_shadow_box *box;
-    int16_t (*coarse)[3]; /* of each vertex */
+    int16_t (*coarse)[3];            /* of each vertex */
     bool casts, own_front, mirrored; /* own_front: its outsides cast on itself, too */
 } glint_shadow_object;
 
@@ -87,7 +87,8 @@ typedef char glint_assert_shadow_box_bytes[sizeof(glint_shadow_box) <= GLINT_SHA
 /* How many lights of a scene cast shadows. */
 uint16_t glint_shadow_light_count(const glint_scene *scene);
 
-/* Bytes for masks, lights, objects, their coarse vertices and boxes, all multiples of 4; 0 if no light casts shadows. */
+/* Bytes for masks, lights, objects, their coarse vertices and boxes, all multiples of 4; 0 if no light casts shadows.
+ */
 uint64_t glint_shadow_bytes(const glint_scene *scene, uint16_t width_px, uint16_t band_px);
 
 /* Sets all up for a frame, in that many bytes at `memory`. */
@@ -96,8 +97,8 @@ void glint_shadows_set_up(glint_shadows *shadows, const glint_scene *scene, cons
 
 /*
  * Looks for the shadows of light number `light` that may fall on the triangle, and fills in those that do in the band's
- * rows of its box. Returns whether there may be any; that does not depend on the band. Bits of pixels that do not belong
- * to the triangle mean nothing.
+ * rows of its box. Returns whether there may be any; that does not depend on the band. Bits of pixels that do not
+ * belong to the triangle mean nothing.
  */
 bool glint_shadow_fall(glint_shadows *shadows, const glint_shadow_receiver *receiver, uint16_t light);
 

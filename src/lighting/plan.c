@@ -171,10 +171,10 @@ static bool anything_casts(const glint_scene *scene)
 /* Of a light that adds something to the object: whether shadows may take it away. */
 static glint_reason shadow_reason(const glint_scene *scene, const glint_material *material, const glint_light *light)
 {
-    return !light->casts_shadows                                 ? GLINT_NOT_CAST
+    return !light->casts_shadows                              ? GLINT_NOT_CAST
            : (material->shadows & GLINT_TAKES_NO_SHADOW) != 0 ? GLINT_NOT_TAKEN
-           : !anything_casts(scene)                              ? GLINT_NOTHING_CASTS
-                                                                 : GLINT_NEEDED;
+           : !anything_casts(scene)                           ? GLINT_NOTHING_CASTS
+                                                              : GLINT_NEEDED;
 }
 
 void glint_plan_light(const glint_scene *scene, uint16_t object, const glint_object_plan *of_object, uint16_t light,

@@ -32,7 +32,8 @@ static void match(const demo_scene *demo, int shading, double codes, double shar
         reference_verdict verdict;
         assert_int_equal(frame_draw(&f, demo->scene, backend), 0);
         reference_check(&image, f.pixels, 1, &verdict);
-        printf("%-22s %s %d: max=%.3f mean=%.3f psnr=%.1f differing=%u of %u; contested=%.3f%% shadow=%.3f%% unmatched=%u\n",
+        printf("%-22s %s %d: max=%.3f mean=%.3f psnr=%.1f differing=%u of %u; contested=%.3f%% shadow=%.3f%% "
+               "unmatched=%u\n",
                demo->name, frame_backend_name[backend], shading, verdict.max_codes, verdict.mean_codes, verdict.psnr_db,
                (unsigned)verdict.differing, (unsigned)verdict.pixels, 100 * verdict.contested_share,
                100 * verdict.shadow_share, (unsigned)verdict.unmatched);

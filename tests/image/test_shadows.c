@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Shadows against the reference, which casts rays: random scenes of up to eight lights and three objects that lie in and
- * through each other, both backends, exact and within a tolerance.
+ * Shadows against the reference, which casts rays: random scenes of up to eight lights and three objects that lie in
+ * and through each other, both backends, exact and within a tolerance.
  *
- * Asserted of a frame: a plain pixel lies within what its frame promised, and a contested one within that of a candidate.
- * A light on the wrong side of a shadow's edge would be so only within a pixel of the edge (REFERENCE_SHADOW), where both
- * are candidates: so there is no acne, no gap between an object and its shadow, and no light between the triangles of a
- * shadow.
+ * Asserted of a frame: a plain pixel lies within what its frame promised, and a contested one within that of a
+ * candidate. A light on the wrong side of a shadow's edge would be so only within a pixel of the edge
+ * (REFERENCE_SHADOW), where both are candidates: so there is no acne, no gap between an object and its shadow, and no
+ * light between the triangles of a shadow.
  *
  * GLINT_SEED=N takes other scenes; GLINT_SCENE=N draws only number N of them.
  */

@@ -28,8 +28,8 @@
  *
  * REFERENCE_SHADOW: for the surface seen there, a light that would change the colour by more than 1/1000 code is hidden
  * at the centre and not at some point of the same plane that is seen within options.shadow_px, or the other way round;
- * or the light lies in that plane, |s.n_face| < options.terminator. Twenty-four points about the centre are looked at, in
- * eight directions, at 1, 1/8 and 1/64 of that distance.
+ * or the light lies in that plane, |s.n_face| < options.terminator. Twenty-four points about the centre are looked at,
+ * in eight directions, at 1, 1/8 and 1/64 of that distance.
  *
  * A shadow: a ray from the point to the light meets a triangle that casts, by the rules of glint_light in
  * <glint/scene.h>. It counts from a millionth of the point's distance to the eye on, so that surfaces that touch throw
@@ -103,8 +103,8 @@ int reference_candidates(const reference_image *image, int x, int y, reference_c
 /* round(255 L) of every pixel, 3 bytes each: the reference as a picture. */
 void reference_codes(const reference_image *image, uint8_t *rgb8);
 
-/* The mask as a picture, 3 bytes a pixel: 255 in red, green, blue for edge, depth, terminator; 128 in green and blue for
- * shadow. */
+/* The mask as a picture, 3 bytes a pixel: 255 in red, green, blue for edge, depth, terminator; 128 in green and blue
+ * for shadow. */
 void reference_mask_codes(const reference_image *image, uint8_t *rgb8);
 
 typedef struct reference_verdict {

@@ -214,7 +214,7 @@ static bool plane_point(const reference_detail *d, const triangle *t, double x, 
 static bool changes_within(const reference_detail *d, const triangle *t, const corner *at, double radius, int light,
                            bool hidden)
 {
-    static const double way[8][2] = {{1, 0}, {0.7071, 0.7071}, {0, 1}, {-0.7071, 0.7071},
+    static const double way[8][2] = {{1, 0},  {0.7071, 0.7071},   {0, 1},  {-0.7071, 0.7071},
                                      {-1, 0}, {-0.7071, -0.7071}, {0, -1}, {0.7071, -0.7071}};
     for (int k = 0; k < 8; k++) {
         vector point;
