@@ -36,6 +36,7 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     needs->buffer = (uint32_t)whole_words((uint64_t)rows * needs->stride);
     needs->buffers = (uint64_t)needs->buffer * (display->buffer_count == 2 ? 2 : 1);
     needs->depth = whole_words((uint64_t)display->width_px * band * 2);
+    needs->drawing = whole_words(bytes->drawing);
     needs->objects = (uint64_t)scene->object_count * whole_words(bytes->object);
     needs->shadows = glint_shadow_bytes(scene, display->width_px, band);
     needs->shadows += needs->shadows ? whole_words(bytes->shadow) : 0;
@@ -52,6 +53,7 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
                        ? whole_words((triangle_count + needs->band_count) * 2)
                        : 0;
     needs->vertices = vertex_count * sizeof(glint_screen_vertex);
-    needs->least = needs->objects + needs->lights + needs->shadows + needs->reaches + needs->buffers + needs->depth;
+    needs->least = needs->drawing + needs->objects + needs->lights + needs->shadows + needs->reaches + needs->buffers +
+                   needs->depth;
     needs->full = needs->least + needs->bands + needs->vertices;
 }

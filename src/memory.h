@@ -2,6 +2,7 @@
 /*
  * What a frame keeps in the caller's memory, and how many bytes of it.
  *
+ *     drawing   of the frame, of one triangle  always
  *     objects   one state an object            always
  *     lights    one state an object and light  always
  *     shadows   boxes, lights, a copy of an object,
@@ -11,6 +12,8 @@
  *     depth     16 bits a pixel of a band      always
  *     bands     2 bytes a band and a triangle  where there is room, more than one band, fewer than 65,535 triangles
  *     vertices  12 bytes a vertex              for as many objects, in order, as there is room
+ *     tables    of a material, see ramp.h      the same, with a tolerance
+ *     kept      triangles set up, see kept.inc what is left, where there are bands
  *
  * Each part begins on a multiple of 4 bytes.
  */
@@ -26,15 +29,15 @@ typedef struct glint_needs {
     uint32_t stride; /* bytes from row to row (page to page) */
     uint16_t band_px, band_count;
     uint16_t reach_count; /* spot lights and attenuated ones */
-    uint64_t objects, lights, shadows, reaches, buffers, depth, bands, vertices;
+    uint64_t drawing, objects, lights, shadows, reaches, buffers, depth, bands, vertices;
     uint32_t triangle_count;
     uint64_t least; /* without bands and vertices */
-    uint64_t full;
+    uint64_t full;  /* with these */
 } glint_needs;
 
 /* Of one of each, in a backend. */
 typedef struct glint_state_bytes {
-    uint16_t object, light, reach, shadow;
+    uint16_t drawing, object, light, reach, shadow;
 } glint_state_bytes;
 
 /* Scene and display have passed glint_validate_sizes(). */

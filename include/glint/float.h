@@ -31,9 +31,10 @@ extern "C" {
 int glint_float_render(const glint_scene *scene, const glint_display *display, const glint_quality *quality,
                        void *memory, size_t memory_bytes, glint_report *report);
 
-/* Bytes that glint_float_render() can make use of, and that it needs at least; 0 if a mesh, a count or a
- * field of the display is not valid, or the sum does not fit size_t. GLINT_MEMORY_WORDS in <glint/glint.h> bounds the
- * first at compile time. */
+/* Bytes with which glint_float_render() transforms each vertex once and sorts each triangle once, and that it needs at
+ * least; 0 if a mesh, a count or a field of the display is not valid, or the sum does not fit size_t.
+ * GLINT_MEMORY_WORDS in <glint/memory.h> bounds the first at compile time; GLINT_RAMP_WORDS and GLINT_KEPT_WORDS there
+ * say what more is good for. */
 size_t glint_float_memory_bytes(const glint_scene *scene, const glint_display *display);
 size_t glint_float_memory_least_bytes(const glint_scene *scene, const glint_display *display);
 

@@ -7,9 +7,11 @@
 
 #include <stdint.h>
 
-/* Upper bounds of what either backend keeps of an object, and of a light for each object. */
+/* Upper bounds of what either backend keeps of the frame and the triangle being drawn, of an object, and of a light for
+ * each object. */
+#define GLINT_DRAWING_BYTES 1680
 #define GLINT_OBJECT_BYTES 400
-#define GLINT_LIGHT_BYTES 88
+#define GLINT_LIGHT_BYTES 96
 
 /* And of a spot light or an attenuated one for each object, beside that: so many words more than GLINT_MEMORY_WORDS for
  * each object times each of these lights. */
@@ -37,6 +39,14 @@
  * and a table of its highlight: faster, the same image. */
 #define GLINT_RAMP_WORDS 769
 
+/*
+ * With bands, this many words more for each triangle that reaches from one band into the next let what was set up of it
+ * be kept: faster, the same image. So much takes one under one light with its highlight; one without a highlight takes
+ * two thirds of it. As many reach over the border of two bands as a horizontal line crosses at most, in a round body
+ * about the square root of its triangles. memory_used_bytes of the report counts what use was made of.
+ */
+#define GLINT_KEPT_WORDS 64
+
 /* Bytes of a row of pixels; of a page of 8 rows for GLINT_MONO_PAGES. `format` is a constant GLINT_RGB888 ... */
 #define GLINT_ROW_BYTES(format, width_px)                                                                              \
     ((format) == GLINT_RGB888                                       ? (uint32_t)(width_px)*3                           \
@@ -52,7 +62,8 @@
  * For example: static uint32_t memory[GLINT_MEMORY_WORDS(240, 240, 16, GLINT_RGB565_SWAPPED, 1, 512, 960, 1, 1)];
  */
 #define GLINT_MEMORY_WORDS(width_px, height_px, band_px, format, buffers, vertices, triangles, objects, lights)        \
-    ((uint32_t)(objects) * (GLINT_OBJECT_BYTES / 4 + (uint32_t)(lights) * (GLINT_LIGHT_BYTES / 4)) +                   \
+    (GLINT_DRAWING_BYTES / 4 +                                                                                         \
+     (uint32_t)(objects) * (GLINT_OBJECT_BYTES / 4 + (uint32_t)(lights) * (GLINT_LIGHT_BYTES / 4)) +                   \
      (uint32_t)(buffers) *                                                                                             \
          ((GLINT_ROW_BYTES(format, width_px) *                                                                         \
                ((format) == GLINT_MONO_PAGES ? ((uint32_t)(band_px) + 7) / 8 : (uint32_t)(band_px)) +                  \

@@ -20,6 +20,7 @@
 #include "raster/attribute_fixed.h"
 #include "raster/bands.h"
 #include "raster/depth.h"
+#include "raster/units_fixed.h"
 #include "validate.h"
 
 #include "lighting/terms.inc"

@@ -20,6 +20,7 @@
 #include "raster/attribute_float.h"
 #include "raster/bands.h"
 #include "raster/depth.h"
+#include "raster/units_float.h"
 #include "validate.h"
 
 #include "lighting/terms.inc"

@@ -129,6 +129,35 @@ uint16_t glint_pack_pixel(const glint_target *target, const glint_shade *shade)
     return rgb565(target->format, shade, 1 << 14);
 }
 
+/* Adds one channel of colours in equal steps: level floor(colour greatest + 1/2) 2^shift. */
+static void add_channel(uint16_t *pixel, uint16_t count, uint32_t colour_q27, uint32_t step_q27, uint32_t greatest,
+                        int shift)
+{
+    const uint16_t *const end = pixel + count;
+    colour_q27 += 1 << 11; /* rounds to Q15 */
+    while (pixel != end) {
+        const uint32_t q15 = colour_q27 >> 12;
+        const uint32_t at_most_1 = q15 > 32768 ? 32768 : q15;
+        *pixel = (uint16_t)(*pixel + ((at_most_1 * greatest + (1 << 14)) >> 15 << shift));
+        pixel++;
+        colour_q27 += step_q27;
+    }
+}
+
+void glint_pack_steps(const glint_target *target, const uint32_t colour_q27[3], const uint32_t step_q27[3],
+                      uint16_t *pixel, uint16_t count)
+{
+    memset(pixel, 0, count * sizeof *pixel);
+    add_channel(pixel, count, colour_q27[0], step_q27[0], 31, 11);
+    add_channel(pixel, count, colour_q27[1], step_q27[1], 63, 5);
+    add_channel(pixel, count, colour_q27[2], step_q27[2], 31, 0);
+    if (target->format == GLINT_RGB565_SWAPPED) {
+        for (uint16_t i = 0; i < count; i++) {
+            pixel[i] = (uint16_t)((uint16_t)(pixel[i] << 8) | pixel[i] >> 8);
+        }
+    }
+}
+
 uint16_t *glint_pack_at(const glint_target *target, int16_t x, int16_t y)
 {
     return (uint16_t *)(void *)row_of(target, y) + x;
@@ -144,20 +173,16 @@ void glint_pack_fill(const glint_target *target, int16_t x, int16_t y, const gli
 
 void glint_fill_words(uint32_t *to, uint32_t word, uint32_t count)
 {
-    uint32_t *const end = to + count;
-    while (end - to >= 8) {
-        to[0] = word;
-        to[1] = word;
-        to[2] = word;
-        to[3] = word;
-        to[4] = word;
-        to[5] = word;
-        to[6] = word;
-        to[7] = word;
-        to += 8;
+    const uint32_t *const end = to + count;
+    for (; count & 15; count--) {
+        *to++ = word;
     }
     while (to != end) {
-        *to++ = word;
+        to[0] = to[1] = to[2] = to[3] = word;
+        to[4] = to[5] = to[6] = to[7] = word;
+        to[8] = to[9] = to[10] = to[11] = word;
+        to[12] = to[13] = to[14] = to[15] = word;
+        to += 16;
     }
 }
 
@@ -170,6 +195,10 @@ void glint_pack_clear(const glint_target *target, uint16_t width, uint16_t rows,
     const uint16_t first = width < 8 ? width : 8;
     if (glint_pack_solid(target) && (target->stride_bytes & 3) == 0) {
         const uint32_t pixel = glint_pack_pixel(target, shade);
+        if (target->stride_bytes == bytes) { /* nothing between rows */
+            glint_fill_words((uint32_t *)(void *)target->pixels, pixel << 16 | pixel, (uint32_t)bytes / 4 * rows);
+            return;
+        }
         for (uint16_t y = 0; y < rows; y++) {
             uint8_t *row = target->pixels + (size_t)y * (size_t)target->stride_bytes;
             glint_fill_words((uint32_t *)(void *)row, pixel << 16 | pixel, (uint32_t)width / 2);

@@ -37,6 +37,9 @@ void glint_pack_fill(const glint_target *target, int16_t x, int16_t y, const gli
  */
 bool glint_pack_solid(const glint_target *target);
 uint16_t glint_pack_pixel(const glint_target *target, const glint_shade *shade);
+/* The same of `count` colours in equal steps, Q27: channels are rounded to Q15, and 1 at most. */
+void glint_pack_steps(const glint_target *target, const uint32_t colour_q27[3], const uint32_t step_q27[3],
+                      uint16_t *pixel, uint16_t count);
 uint16_t *glint_pack_at(const glint_target *target, int16_t x, int16_t y);
 
 /* Fills `rows` whole rows of `width` pixels with one colour. */

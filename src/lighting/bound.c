@@ -38,6 +38,24 @@ uint32_t glint_bound_gloss(uint32_t specular, uint16_t exponent_q4)
     return ((specular * slope_root_q4(exponent_q4)) >> 4) * 5 / 131072 + 1;
 }
 
+uint32_t glint_bound_precise(uint32_t specular, uint16_t exponent_q4, uint8_t bits)
+{
+    if (specular == 0) {
+        return 0;
+    }
+    const uint32_t gloss = glint_bound_gloss(specular, exponent_q4);
+    return gloss + (gloss * 9 >> 5) + 1 + glint_bound_gloss_error(specular, exponent_q4, bits) +
+           (multiply_high_u32(specular << 8, exponent_q4) >> 3);
+}
+
+uint32_t glint_bound_fine(uint32_t specular, uint16_t exponent_q4, uint8_t bits)
+{
+    return specular == 0
+               ? 0
+               : glint_bound_gloss(specular, exponent_q4) / 6 + (multiply_high_u32(specular << 8, exponent_q4) >> 3) +
+                     2 + glint_bound_gloss_error(specular, exponent_q4, bits);
+}
+
 uint32_t glint_bound_turned(uint32_t specular, uint16_t exponent_q4)
 {
     /* 2 0.607 / 4 = 0.3035; / 16: 1244 / 2^16 */
@@ -64,18 +82,14 @@ uint32_t glint_bound_highlight_q15(uint32_t specular, uint16_t exponent_q4)
     return square_q16 >= (uint32_t)16 << 16 ? GLINT_FAR_Q15 : (glint_square_root_u32(square_q16 << 12) << 1) + 4;
 }
 
-uint32_t glint_bound_angle_least_q15(uint32_t gap_q15)
-{
-    return glint_square_root_u32((gap_q15 > 65535 ? 65535 : gap_q15) << 16);
-}
-
 uint32_t glint_bound_spread_q15(uint32_t chord_q16)
 {
     if (chord_q16 > ONE_Q16) {
         return GLINT_FAR_Q15;
     }
     const uint32_t root_q15 = glint_square_root_u32(chord_q16 << 14) + 1;
-    return ((root_q15 + ((root_q15 * (chord_q16 >> 6)) >> 10) / 20) * 39322) >> 15; /* 1.2 */
+    /* 1/20 = 3277 / 2^16: the divisions of small processors are calls */
+    return ((root_q15 + (((root_q15 * (chord_q16 >> 6)) >> 10) * 3277 >> 16)) * 39322) >> 15; /* 1.2 */
 }
 
 uint32_t glint_bound_longer_q15(uint32_t chord_q16)
@@ -84,7 +98,7 @@ uint32_t glint_bound_longer_q15(uint32_t chord_q16)
         return 32768;
     }
     /* (1 - x)^(-1/2) <= 1 + x / 2 + 0.55 x^2 for x <= 1/3 */
-    const uint32_t third_q15 = chord_q16 / 6 + 1;
+    const uint32_t third_q15 = (chord_q16 * 10923 >> 16) + 1; /* a sixth of Q16 */
     return third_q15 / 2 + ((third_q15 * third_q15 >> 15) * 9 >> 4) + 2;
 }
 
@@ -169,15 +183,17 @@ uint32_t glint_bound_quadratic(uint32_t gloss, uint32_t normal_q20, uint32_t vie
 uint32_t glint_bound_curve(uint32_t diffuse, uint32_t turn_q16)
 {
     const uint32_t square_q16 = (turn_q16 * turn_q16 >> 16) + 1; /* turn < 2^16 */
-    const uint32_t cube_q16 = (square_q16 * turn_q16 >> 16) + 1;
-    /* 0.0262 = 1717 / 2^16, 1.2e-5 = 13 / 2^20 */
-    return ((multiply_high_u32(diffuse << 8, cube_q16 << 8) + 1) * 1717 >> 16) + (diffuse * 13 >> 20) + 1;
+    const uint32_t cube_q16 = (square_q16 * turn_q16 >> 16) + 1; /* < 0.33 up to the greatest turn served */
+    /* 0.0262 = 1717 / 2^16, 1.2e-5 = 13 / 2^20; the product below 2^16 2^15.4 */
+    return (((((diffuse + 15) >> 4) * cube_q16 >> 12) + 1) * 1717 >> 16) + (diffuse * 13 >> 20) + 1;
 }
 
 uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_t specular, uint32_t turn_q16)
 {
     const uint32_t n = size->reach, view_q16 = size->view_q16;
-    if (n > 255 || size->up < 2 || view_q16 > 32768 || gloss >> 24 != 0) {
+    const uint32_t way = size->anchor_reach + 5;
+    if (n > 255 || way > 4095 || size->up < 2 || view_q16 > 32768 || gloss >> 24 != 0 || size->part_q15 > 10924 ||
+        size->inverse_q22 >> 20 != 0) {
         return UINT32_MAX;
     }
     const uint32_t square_q16 = (turn_q16 * turn_q16 >> 16) + 1;
@@ -193,13 +209,17 @@ uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_
     if (rounding >> (28 - size->down) != 0) {
         return UINT32_MAX;
     }
-    /* a unit is 2^(down - 29) / 9, below 2^(down - 28) / 16 */
-    const uint32_t gap_q28 = bent_q28 + ((rounding << size->down) >> 4) + (size->end_q28 >> 16) + 32;
-    const uint32_t of_gap = multiply_high_u32(gloss << 4, gap_q28) + 1;
-    /* 0.0625 turn^4 (1 - turn + 0.45 turn^2) + 1e-4, as Q22 */
-    const uint32_t fourth_q16 = (square_q16 * square_q16 >> 16) + 1;
-    const uint32_t lessened_q16 = 65536 - turn_q16 + (square_q16 * 29492 >> 16) + 1;
-    const uint32_t relative_q22 = (fourth_q16 * (lessened_q16 >> 2) >> 12) + 4 + 420;
+    /* a unit is 2^(down - 32) of x/m; m/x is at most 1 + 3/2 part */
+    const uint32_t unscaled_q28 = (rounding << size->down) >> 4;
+    const uint32_t rounding_q28 =
+        unscaled_q28 + multiply_high_u32(unscaled_q28 << 3, (size->part_q15 * 3 / 2) << 14) + 1;
+    /* 2^-15 (0.8 + 1.6 part) of the end */
+    const uint32_t place_q28 = multiply_high_u32(size->end_q28 << 2, 26215 + size->part_q15 * 8 / 5) + 1;
+    const uint32_t gap_q28 = bent_q28 + rounding_q28 + place_q28 + 32;
+    const uint32_t times = size->together < gloss && gap_q28 <= GLINT_GAP_OFF_Q28 ? size->together : gloss;
+    const uint32_t of_gap = multiply_high_u32(times << 4, gap_q28) + 1;
+    /* 1e-4 is 420 / 2^22 */
+    const uint32_t relative_q22 = size->inverse_q22 + ((way * way * 3) >> 9) + 1 + 420;
     return of_gap + (multiply_high_u32(specular << 8, relative_q22 << 2)) + 1;
 }
 
@@ -216,19 +236,54 @@ static bool affine_serves(uint32_t turned, uint32_t chord_q16, uint32_t rise_q16
     if (rise_q16 > ONE_Q16 / 2 || chord_q16 > ONE_Q16 || turned >> 20 != 0) {
         return false;
     }
-    /* (turned (r - 1) / 4)^2 D <= 16^2 (1 - D/3), and D <= 1: 2/3 for the last factor */
-    const uint32_t moved = multiply_high_u32(turned << 8, rise_q16 << 6); /* < 2^16 */
+    /* (turned (r - 1) / 4)^2 D <= 16^2 (1 - D/3), and D <= 1: 2/3 for the last factor; rounded up, 2^16 2^15 */
+    const uint32_t moved = (((turned >> 4) + 1) * rise_q16 >> 14) + 1;
     return moved < 1024 && ((moved * moved + 15) >> 4) * ((chord_q16 + 15) >> 4) <= 170u << 8;
 }
 
-void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3], uint8_t tolerance, uint8_t least,
-                        uint8_t greatest, glint_choice *choice)
+/*
+ * The weights of the corners: by their depths, or all 1 where that errs by no more than *affine, 1/256 code. Returns
+ * the least weight, Q16.
+ *
+ * r - 1 = (1 - u) / u, u the least weight; below 3/2 of 1 - u up to 1/3.
+ */
+static uint32_t weigh_corners(const glint_bound *bound, const int32_t inverse_depth[3], glint_choice *choice,
+                              uint32_t *affine)
 {
     int32_t low = inverse_depth[0], high = low;
     for (int i = 1; i < 3; i++) {
         low = inverse_depth[i] < low ? inverse_depth[i] : low;
         high = inverse_depth[i] > high ? inverse_depth[i] : high;
     }
+    choice->weight_q15[0] = choice->weight_q15[1] = choice->weight_q15[2] = 32768;
+    *affine = 0;
+    if ((low == high && low > 0) || bound->chord_q16 == 0) {
+        return ONE_Q16;
+    }
+    /* 1/high = r 2^(zeros - 62) */
+    const uint32_t divisor = high > 0 ? (uint32_t)high : 1;
+    const int zeros = clz32(divisor) & 31;
+    const uint32_t r = glint_reciprocal_q31(divisor << zeros);
+    const uint32_t least_q30 = multiply_high_u32((uint32_t)positive_part(low) << zeros, r), least_q16 = least_q30 >> 14;
+    const uint32_t drop_q16 = ONE_Q16 - least_q16;
+    if (affine_serves(bound->turned, bound->chord_q16, drop_q16 + drop_q16 / 2)) {
+        *affine = 16; /* 1/16 code */
+        return ONE_Q16;
+    }
+    for (int i = 0; i < 3; i++) { /* the nearest corner's stays 1 */
+        if (inverse_depth[i] != high) {
+            const uint32_t u_q30 = inverse_depth[i] == low
+                                       ? least_q30
+                                       : multiply_high_u32((uint32_t)positive_part(inverse_depth[i]) << zeros, r);
+            choice->weight_q15[i] = (uint16_t)((u_q30 + (1 << 14)) >> 15);
+        }
+    }
+    return least_q16;
+}
+
+void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3], uint8_t tolerance, uint8_t least,
+                        uint8_t greatest, glint_choice *choice)
+{
     const uint32_t most = tolerance == 0 ? UINT32_MAX : (uint32_t)tolerance * (GLINT_CODE_UNITS / 16);
     choice->tier = GLINT_TIER_EXACT;
     choice->promise = bound->exact > UINT16_MAX ? UINT16_MAX : (uint16_t)bound->exact;
@@ -245,38 +300,18 @@ void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3]
         choice->promise = (uint16_t)bound->flat;
         return;
     }
-    choice->tier = GLINT_TIER_EXACT;
-    choice->promise = bound->exact > UINT16_MAX ? UINT16_MAX : (uint16_t)bound->exact;
-    /* 1/high = r 2^(zeros - 62) */
-    const uint32_t divisor = high > 0 ? (uint32_t)high : 1;
-    const int zeros = clz32(divisor) & 31;
-    const uint32_t r = glint_reciprocal_q31(divisor << zeros);
-    const uint32_t least_q16 = multiply_high_u32((uint32_t)positive_part(low) << zeros, r) >> 14;
-    uint32_t weight_q16 = ONE_Q16, affine = 16; /* 1/16 code */
-    for (int i = 0; i < 3; i++) {
-        choice->weight_q15[i] = 32768;
-    }
-    /* r - 1 = (1 - u) / u, u the least weight; below, 1 - u up to 1/4 */
-    const uint32_t drop_q16 = ONE_Q16 - least_q16;
-    if (!affine_serves(bound->turned, bound->chord_q16, drop_q16 + drop_q16 / 2)) {
-        affine = 0;
-        weight_q16 = least_q16;
-        for (int i = 0; i < 3; i++) {
-            const uint32_t u_q30 = multiply_high_u32((uint32_t)positive_part(inverse_depth[i]) << zeros, r);
-            choice->weight_q15[i] = (uint16_t)((u_q30 + (1 << 14)) >> 15);
-        }
-    } else if (drop_q16 == 0 || bound->chord_q16 == 0) {
-        affine = 0;
-    }
+    uint32_t affine;
+    const uint32_t weight_q16 = weigh_corners(bound, inverse_depth, choice, &affine);
     choice->turn_q16 = ONE_Q16;
     /* y up to 1 - u^2 (1 - D/3), and 16 units for stored normals that are shorter than 1; D/3 rounded up */
     const uint32_t third = bound->chord_q16 < 2 * ONE_Q16 ? ((bound->chord_q16 * 21846) >> 16) + 1 : ONE_Q16;
     const uint32_t rest = third < ONE_Q16 ? ONE_Q16 - third : 0;
-    const uint32_t square = weight_q16 == ONE_Q16 ? rest : multiply_high_u32(weight_q16 * (weight_q16 >> 1) * 2, rest);
+    /* u^2 (1 - D/3), rounded down: below 2^31 / 2^15 times 2^15 */
+    const uint32_t square = weight_q16 == ONE_Q16 ? rest : (weight_q16 * (weight_q16 >> 1) >> 15) * (rest >> 1) >> 15;
     const uint32_t y_q16 = ONE_Q16 - square + 16;
     if (least <= GLINT_TIER_CURVED && greatest >= GLINT_TIER_CURVED) {
         /* edges of M up to sqrt(D + (1 - u)^2) */
-        const uint32_t part_q16 = weight_q16 == ONE_Q16 ? 0 : drop_q16 + 1;
+        const uint32_t part_q16 = weight_q16 == ONE_Q16 ? 0 : ONE_Q16 - weight_q16 + 1;
         const uint32_t edge_q16 = bound->chord_q16 + (part_q16 < ONE_Q16 ? (part_q16 * part_q16 >> 16) + 1 : ONE_Q16);
         if (y_q16 <= ONE_Q16 / 2 && edge_q16 < ONE_Q16 / 2) {
             /* 1 / (1 - y) <= 1 + y + 2 y^2 for y <= 1/2 */
@@ -285,10 +320,12 @@ void glint_bound_choose(const glint_bound *bound, const int32_t inverse_depth[3]
             choice->turn_q16 = square_q16 < ONE_Q16 / 2 ? glint_square_root_u32(square_q16 << 16) + 1 : ONE_Q16;
         }
         if (choice->turn_q16 + bound->point_turn_q16 <= GLINT_TURN_MOST_Q16) {
-            const uint32_t error = HALF_CODE + bound->fixed + bound->curve_reach + affine +
-                                   (bound->left > bound->gloss ? bound->left : bound->gloss) +
-                                   glint_bound_curve(bound->diffuse - bound->point_diffuse, choice->turn_q16) +
-                                   glint_bound_curve(bound->point_diffuse, choice->turn_q16 + bound->point_turn_q16);
+            uint32_t error = HALF_CODE + bound->fixed + bound->curve_reach + affine +
+                             (bound->left > bound->gloss ? bound->left : bound->gloss) +
+                             glint_bound_curve(bound->diffuse - bound->point_diffuse, choice->turn_q16);
+            if (bound->point_diffuse > 0) {
+                error += glint_bound_curve(bound->point_diffuse, choice->turn_q16 + bound->point_turn_q16);
+            }
             if (error <= most && error <= UINT16_MAX) {
                 choice->tier = GLINT_TIER_CURVED;
                 choice->promise = (uint16_t)error;

@@ -72,6 +72,9 @@ static inline uint32_t glint_bound_rounding(uint32_t bright, uint32_t terms)
 static inline uint32_t glint_bound_reach(uint32_t bright, uint32_t reach)
 {
     const uint32_t units = reach * reach + 64 * reach; /* of 2^-31; reach < 2^13 */
+    if (reach < 64 && bright >> 18 == 0) {
+        return 1; /* 2^1 2^18 2^13 / 2^32 rounds down to 0: spares small processors the wide product */
+    }
     return multiply_high_u32(bright << 1, units) + 1;
 }
 
@@ -82,6 +85,9 @@ static inline uint32_t glint_bound_reach(uint32_t bright, uint32_t reach)
 static inline uint32_t glint_bound_curve_reach(uint32_t bright, uint32_t reach, int up)
 {
     const uint32_t units = reach * reach + 64 * reach;
+    if (reach < 64 && up >= 3 && bright >> 18 == 0) {
+        return (((bright >> 8) + 1) * (units * 5) >> 23) + 1; /* 2^10 5 2^13, as below but for the rounding up */
+    }
     return reach > 3000 ? UINT16_MAX : multiply_high_u32(bright << 1, units * (up >= 3 ? 5 : 64)) + 1;
 }
 
@@ -92,6 +98,15 @@ static inline uint32_t glint_bound_curve_reach(uint32_t bright, uint32_t reach, 
  * between two directions that rounding moves by at most 2.5e-4. */
 uint32_t glint_bound_gloss(uint32_t specular, uint16_t exponent_q4);
 
+/*
+ * The error of a specular term where lighting/precise.inc draws it: the slope by an angle of 3.2e-4, that of the table,
+ * and a gap to 2^-23 for the ray's length. The angle is twice that of the normal, 7.9e-5 (raster/units_fixed.h), for r
+ * turns twice as far; 2.6e-5 each for s and for r, 3e-5 for the cosine, and 7.9e-5 for the ray.
+ */
+uint32_t glint_bound_precise(uint32_t specular, uint16_t exponent_q4, uint8_t bits);
+/* The same with vectors of Q28: an angle of 4e-5, which is that of the planes, and a gap to 2^-23. */
+uint32_t glint_bound_fine(uint32_t specular, uint16_t exponent_q4, uint8_t bits);
+
 /* What a highlight changes when the normal turns by a radian: r turns twice as far. */
 uint32_t glint_bound_turned(uint32_t specular, uint16_t exponent_q4);
 
@@ -100,8 +115,13 @@ uint32_t glint_bound_turned(uint32_t specular, uint16_t exponent_q4);
 
 /* The greatest angle at which specular cos^exponent is above GLINT_HIGHLIGHT_LEFT: cos a <= exp(-a^2 / 2). */
 uint32_t glint_bound_highlight_q15(uint32_t specular, uint16_t exponent_q4);
-/* An angle whose cosine is 1 - gap is at least sqrt(2 gap). */
-uint32_t glint_bound_angle_least_q15(uint32_t gap_q15);
+/* Is an angle whose cosine is 1 - gap certainly greater than one given? It is at least sqrt(2 gap); 2 at most is made
+ * use of. */
+static inline bool glint_bound_is_beyond(uint32_t gap_q15, uint32_t angle_q15)
+{
+    return angle_q15 <= 65535 && (gap_q15 > 65535 ? (uint32_t)65535 : gap_q15) << 16 > angle_q15 * angle_q15;
+}
+
 /* Twice the distance from any point of the triangle on the unit sphere to the nearest corner: with sides of at most a =
  * 2 asin(sqrt(D) / 2) <= sqrt(D) (1 + D / 20) for D <= 1, at most 0.6 a. */
 uint32_t glint_bound_spread_q15(uint32_t chord_q16);
@@ -149,28 +169,36 @@ uint32_t glint_bound_quadratic(uint32_t gloss, uint32_t normal_q20, uint32_t vie
  * and the middles of the edges. With turn = (the longest edge of the triangle of M) / (the least |M| on it), the vector
  * from the interpolated n to the true one is at most 0.0262 turn^3 + 1.2e-5 long for turns up to 0.69 (found by
  * searching over shapes, tests/unit/test_curve_bounds.c; the third derivative's part of its Taylor formula alone would
- * prove 0.1), so the sum of lights errs by that times their sum.
+ * prove 0.1), so the sum of lights errs by that times their sum, which is to be below 2^20.
  */
 #define GLINT_TURN_MOST_Q16 45000 /* 0.69 */
 uint32_t glint_bound_curve(uint32_t diffuse, uint32_t turn_q16);
 
+/* By how much a gap may be off where it counts `together` times only: 2^-11. */
+#define GLINT_GAP_OFF_Q28 ((uint32_t)1 << 17)
+
 /* What the errors of cubics depend on. */
 typedef struct glint_cubic_size {
-    uint32_t view_q16; /* the longest edge of the triangle of rays R, over the least |R| on it: their turn */
-    uint32_t reach;    /* the greatest |dx| + |dy| from the centroid to a pixel */
-    uint32_t end_q28;  /* where the table of the specular term ends */
-    int up, down;      /* of raster/lattice_fixed.h: spare bits of the gradients, and bits that the values have less */
+    uint32_t together;     /* what all the gaps at one place cost in 1/256 code a unit, if that is less than `gloss` */
+    uint32_t view_q16;     /* the longest edge of the triangle of rays R, over the least |R| on it: their turn */
+    uint32_t part_q15;     /* |M|^2 lies within 1 - part..1 + part times a constant; at most 1/3 */
+    uint32_t inverse_q22;  /* the relative error of the polynomial for 1/|M|^2 */
+    uint32_t reach;        /* the greatest |dx| + |dy| from the centroid to a pixel, */
+    uint32_t anchor_reach; /* and from the gradients' anchor */
+    uint32_t end_q28;      /* where the table of the specular term ends */
+    int up, down; /* of raster/lattice_fixed.h: spare bits of the gradients, and bits that the values have less */
 } glint_cubic_size;
 
 /*
  * A highlight's |M|^2 (1 - r.c) by a polynomial of degree 3 through ten points errs by at most |M|^2 view^2 (0.0103
- * turn^2 + 0.0136 turn view + 0.0064 view^2), 1/|M|^2 by a relative 0.0625 turn^4 (1 - turn + 0.45 turn^2) (searched
- * for like the above). Rounding adds to the former at n pixels from the centroid C(n, 3) units of 2^(down - 29) / 9 for
- * the rounding of a third difference, C(n, 2) for that of a second and n for a first, each half a unit and what its
- * products were cut by; and the table's argument is cut to 2^-16 of its end. All of it counts `gloss` times, the
- * specular peak times the exponent. The relative errors of 1/|M|^2, with 1e-4 for rounding, are of a gap g, and g
- * exponent (1 - g)^(exponent - 1) is at most 1 for exponents from 1 on, 1/2 from 2 on, which `specular` is to account
- * for. UINT32_MAX where there is no bound: coefficients may not fit where `up` is below 2.
+ * turn^2 + 0.0136 turn view + 0.0064 view^2) (searched for like the above). Rounding adds to the former at n pixels
+ * from the centroid C(n, 3) units of 2^(down - 32) (1 + 3/2 part) for the rounding of a third difference, C(n, 2) for
+ * that of a second and n for a first, each half a unit and what its products were cut by; and the table's argument is
+ * rounded to 1.5 2^-15 of its end. All of it counts `gloss` times, the specular peak times the exponent. The relative
+ * errors of 1/|M|^2, with 1e-4 and (n + 5)^2 3 2^-31 at n pixels from the anchor for rounding (see
+ * raster/lattice_fixed.h), are of a gap g, and g exponent (1 - g)^(exponent - 1) is at most 1 for exponents from 1 on,
+ * 1/2 from 2 on, which `specular` is to account for. UINT32_MAX where there is no bound: coefficients may not fit where
+ * `up` is below 2.
  */
 uint32_t glint_bound_cubic(const glint_cubic_size *size, uint32_t gloss, uint32_t specular, uint32_t turn_q16);
 
@@ -186,7 +214,7 @@ typedef struct glint_bound {
     uint32_t curve_reach; /* and of curves */
     uint32_t fixed;       /* 1/256 code: rounding and table errors of the tiers below exact */
     uint32_t exact;       /* 1/256 code: error of the exact tier, rounding of the result included */
-    uint32_t flat;        /* the same of one colour for all of it */
+    uint32_t flat;        /* the same of one colour for all of it; where above the tolerance, at least */
     uint32_t chord_q16;   /* D, rounded up */
 } glint_bound;
 

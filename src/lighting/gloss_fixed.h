@@ -33,12 +33,19 @@ typedef struct gloss_corners {
 static const uint8_t gloss_point[LATTICE_POINTS][3] = {{3, 0, 0}, {0, 3, 0}, {0, 0, 3}, {2, 1, 0}, {1, 2, 0},
                                                        {0, 2, 1}, {0, 1, 2}, {1, 0, 2}, {2, 0, 1}, {1, 1, 1}};
 
-/* A quadratic's value at a point, times 9, from its coefficients; and a linear one's, times 3. */
-static inline uint32_t gloss_quadratic(const int32_t of[6], int point)
+/* A quadratic's values at the points, times 9, from its coefficients, modulo 2^32; and a linear one's, times 3. */
+static inline void gloss_quadratic(const int32_t of[6], int32_t at[LATTICE_POINTS])
 {
-    const uint32_t a = gloss_point[point][0], b = gloss_point[point][1], c = gloss_point[point][2];
-    return a * (a * (uint32_t)of[0] + b * (uint32_t)of[3]) + b * (b * (uint32_t)of[1] + c * (uint32_t)of[4]) +
-           c * (c * (uint32_t)of[2] + a * (uint32_t)of[5]);
+    uint32_t sum = 0;
+    for (int i = 0; i < 3; i++) {
+        const uint32_t a = (uint32_t)of[i], b = (uint32_t)of[i == 2 ? 0 : i + 1], ab = (uint32_t)of[3 + i];
+        const uint32_t both = a + b + 2 * ab;
+        at[i] = (int32_t)(9 * a);
+        at[3 + 2 * i] = (int32_t)(both + 3 * a);
+        at[4 + 2 * i] = (int32_t)(both + 3 * b);
+        sum += a + ab;
+    }
+    at[9] = (int32_t)sum;
 }
 
 static inline int32_t gloss_linear(const int32_t of[3], int point)
@@ -123,21 +130,92 @@ static inline uint32_t gloss_view_q16(const gloss_corners *corners)
     return (glint_square_root_u32((uint32_t)edge << 6) * root_q16 >> (16 - twice)) + 4;
 }
 
-/* 8/9 of 1/|M|^2 at the points of a cubic, Q25: below 2^26, |M|^2 being above 1/2. */
-static inline void gloss_inverse_squares(const gloss_corners *corners, gap_value value[LATTICE_POINTS])
+typedef uint32_t gloss_inverse_rest;
+
+/* 1/|M|^2 on a triangle: |M|^2 = x is a polynomial of degree 2 there, of which another makes the inverse. */
+typedef struct gloss_inverse {
+    real corner[3], middle[3]; /* g at the corners and in the middles of the edges, Q30 */
+    gloss_inverse_rest rest;   /* m/x is g^2 and this, 3/4 to 3/2: Q30 */
+    int32_t over_m_q14;
+    uint32_t part_q15;  /* x lies within 1 - part..1 + part times m; at most 1/3 */
+    uint32_t error_q22; /* of 1/x, relative, at most; rounding adds 1e-4 */
+} gloss_inverse;
+
+static inline uint32_t gloss_part_q15(const gloss_inverse *inverse)
 {
+    return inverse->part_q15;
+}
+
+/*
+ * With h = 1 - x/m, m/x is 1 + h + h^2 + h^3 / (1 - h), and where |h| <= p a third power is best stood for by 3/4 p^2
+ * h: 1 + c h + h^2, c = 1 + 3/4 p^2, is off by a relative p^3 / 4 + 3/4 p^4. That is g^2 + 1 - c^2 / 4, g = h + c/2.
+ * False where x may be below 1/2.
+ */
+static inline bool gloss_inverse_square(gloss_inverse *inverse, const gloss_corners *corners)
+{
+    const int32_t *const square = corners->square;
+    int32_t least = square[0], most = square[0], edge = 0;
+    for (int i = 0; i < 3; i++) {
+        const int32_t chord = square[i] + square[i == 2 ? 0 : i + 1] - square[3 + i];
+        edge = chord > edge ? chord : edge;
+        least = square[i] < least ? square[i] : least;
+        most = square[i] > most ? square[i] : most;
+    }
+    least -= edge / 3 + 8; /* x is at least that, see bound.h, and at most what it is at a corner */
+    if (least < (int32_t)1 << 26) {
+        return false;
+    }
+    const uint32_t twice_m = (uint32_t)(least + most); /* Q27: 1 to 2 and what normals are too long by */
+    const int up = clz32(twice_m) & 31;                /* 3 or 4 */
+    /* 2^62 / (2 m 2^(27 + up)) */
+    inverse->over_m_q14 = (int32_t)((glint_reciprocal_q31(twice_m << up) - 1) >> (20 - up)); /* < 2^15 */
+    const uint32_t d_q15 = (uint32_t)(most - least) >> 13;
+    const uint32_t part_q15 = ((d_q15 * (uint32_t)inverse->over_m_q14) >> 14) + 5; /* 4 for that of 1/m */
+    const uint32_t second_q15 = (part_q15 * part_q15 >> 15) + 1, third_q15 = (second_q15 * part_q15 >> 15) + 1;
+    const uint32_t c_q15 = 32768 + second_q15 * 3 / 4; /* < 1.1 */
+    /* 1 + c/2, and half of what gap_inverse() drops */
+    const int32_t one_q30 = (int32_t)(((uint32_t)1 << 30) + (c_q15 << 14) + (1 << 14));
+    for (int i = 0; i < 3; i++) {
+        const int32_t halfway = (square[i] + square[i == 2 ? 0 : i + 1] + square[3 + i]) >> 2;
+        inverse->corner[i] = one_q30 - multiply_q16(square[i] * 8, inverse->over_m_q14) * 4;
+        inverse->middle[i] = one_q30 - multiply_q16(halfway * 8, inverse->over_m_q14) * 4;
+        GLINT_TRACE("part of a square at a lattice point", inverse->corner[i]);
+        GLINT_TRACE("part of a square at a lattice point", inverse->middle[i]);
+    }
+    inverse->rest = ((uint32_t)1 << 30) - c_q15 * c_q15 / 4;
+    inverse->part_q15 = part_q15;
+    inverse->error_q22 = ((third_q15 * (32768 + 3 * part_q15)) >> 10) + 1;
+    return true;
+}
+
+/* What all lights have in common at the points of a cubic: 9 |M|^2 (Q27), 9 M.R (Q26) and 1 / (3 |R|), which is root
+ * 2^(half - 2) with root in Q31. */
+typedef struct gloss_points {
+    int32_t square[LATTICE_POINTS], facing[LATTICE_POINTS], root_q31[LATTICE_POINTS];
+    uint8_t half[LATTICE_POINTS];
+} gloss_points;
+
+static inline void gloss_points_of(gloss_points *points, const gloss_corners *corners)
+{
+    int32_t distance[LATTICE_POINTS];
+    gloss_quadratic(corners->square, points->square);
+    gloss_quadratic(corners->facing, points->facing);
+    gloss_quadratic(corners->distance, distance); /* 9 |R|^2 < 2^31.2 */
     for (int i = 0; i < LATTICE_POINTS; i++) {
-        const uint32_t square = gloss_quadratic(corners->square, i); /* 9 |M|^2, Q27: 4.5 to 9 and what rounding adds */
-        const int twice = square < (uint32_t)1 << 30 ? 2 : 0;
-        const uint32_t y = glint_inverse_root_q16(square << twice); /* 2^15 / |M| 2^(5/2) / 3 */
-        value[i] = (int32_t)((y * y >> 7) << twice);
-        GLINT_TRACE("inverse square at a lattice point", value[i]);
+        const int half = (uint32_t)distance[i] < (uint32_t)1 << 30;
+        const uint32_t x = (uint32_t)distance[i] << (2 * half), y = glint_inverse_root_q16(x);
+        /* refined to 30 bits: at most 2^30 */
+        const int32_t residual_q30 = ((int32_t)1 << 30) - (int32_t)multiply_high_u32(y * y, x); /* < 2^16 */
+        const int32_t root_q30 = (int32_t)(y << 14) + (((residual_q30 >> 2) * (int32_t)(y >> 1)) >> 14);
+        points->root_q31[i] = (int32_t)((uint32_t)root_q30 * 2 - 2);
+        points->half[i] = (uint8_t)half;
     }
 }
 
-/* 9 |M|^2 times the gap of one light at the points: Q25 less the `down` bits that it returns, all below 2^26. An error
- * of at most 2^-23. */
-static inline int gloss_values(const gloss_corners *corners, const real towards[3], gap_value value[LATTICE_POINTS])
+/* |M|^2 / m times the gap of one light at the points: Q28 less the `down` bits that it returns, all below 2^26. An
+ * error of at most 2^-23, and of a relative 4e-5 that is one for all of them. */
+static inline int gloss_values(const gloss_corners *corners, const gloss_points *points, const gloss_inverse *inverse,
+                               const real towards[3], gap_value value[LATTICE_POINTS])
 {
     int32_t light[3], towards_ray[3];
     uint32_t greatest = 0;
@@ -145,21 +223,18 @@ static inline int gloss_values(const gloss_corners *corners, const real towards[
         light[i] = lattice_weigh(gloss_dot(corners->normal[i], towards), corners->weight_q15[i]) >> 3; /* Q27 */
         towards_ray[i] = gloss_dot(towards, corners->ray[i]) >> 2;                                     /* Q27 */
     }
-    const int32_t mean_q28 = (gloss_dot(towards, towards) >> 3) + ((int32_t)1 << 27); /* (|s|^2 + 1) / 2 */
+    const int32_t scale_q14 = (int32_t)(((uint32_t)inverse->over_m_q14 * 58254 + 32768u) >> 16); /* 8/9 of 1/m */
+    /* (|s|^2 + 1) / 2 is 1 and this: < 2^14, by the rounding of s */
+    const int32_t more_q28 = (gloss_dot(towards, towards) >> 3) - ((int32_t)1 << 27);
     for (int i = 0; i < LATTICE_POINTS; i++) {
-        const uint32_t square = gloss_quadratic(corners->square, i);
-        const int32_t facing = (int32_t)gloss_quadratic(corners->facing, i);
-        const uint32_t distance = gloss_quadratic(corners->distance, i);                      /* 9 |R|^2 < 2^31.2 */
+        const int32_t square = points->square[i];
         const int32_t along = gloss_linear(light, i), against = gloss_linear(towards_ray, i); /* 3 M.s, 3 s.R */
-        /* 1 / (3 |R|) = root 2^(half - 2), refined to 30 bits */
-        const int half = distance < (uint32_t)1 << 30;
-        const uint32_t x = distance << (2 * half), y = glint_inverse_root_q16(x);
-        const int32_t residual_q30 = ((int32_t)1 << 30) - (int32_t)multiply_high_u32(y * y, x); /* < 2^16 */
-        const int32_t root_q30 = (int32_t)(y << 14) + (((residual_q30 >> 2) * (int32_t)(y >> 1)) >> 14);
-        const int32_t away_q28 = multiply_high_s32(against, root_q30) * (2 << half); /* -s.c */
-        const int32_t back_q27 = multiply_high_s32(facing, root_q30) * (2 << half);  /* -3 M.c */
-        const uint32_t sum_q30 = (uint32_t)positive_part(mean_q28 - away_q28) << 2;
-        value[i] = (int32_t)multiply_high_u32(square, sum_q30) + multiply_high_s32(along * 4, back_q27 * 4);
+        /* 27 (2 (M.s) (M.R) - |M|^2 (s.R)): 27 6 2^23 */
+        const int32_t both_q23 =
+            multiply_high_s32(along * 4, points->facing[i]) * 2 - multiply_high_s32(square, against * 2);
+        const int32_t nine_q25 = (square >> 2) + (((square >> 16) * more_q28) >> 14) +
+                                 multiply_high_s32(both_q23, points->root_q31[i]) * (2 << points->half[i]);
+        value[i] = multiply_q16(nine_q25, scale_q14) * 4; /* |9 gap| <= 18, and 1.78 of it */
         greatest |= magnitude32(value[i]);
     }
     int down = 0;
@@ -173,47 +248,71 @@ static inline int gloss_values(const gloss_corners *corners, const real towards[
     return down;
 }
 
-/* How the values of a cubic, Q(29 - down), become gaps: those at or above `limit` are beyond the table, |M| being at
- * most 1; a 32nd more is for rounding. */
+/* How the values of a cubic, Q(32 - down), become places in the table of the specular term, in 2^-GAP_BITS of a cell.
+ * To them `half` is added, for rounding; those from `limit` on are beyond the table then, all over the triangle. */
 typedef struct gap_scale {
-    int32_t limit, half;
+    uint32_t half, end;
+    int32_t limit;
     uint8_t cut, down;
 } gap_scale;
 
-static inline gap_scale gap_scale_of(uint32_t end_q28, int down)
+#define GAP_BITS 8
+
+/* For a table of `cells` times 2^bits in Q28. */
+static inline gap_scale gap_scale_of(uint16_t cells, uint8_t bits, int down, const gloss_inverse *inverse)
 {
-    /* 9 times the end, with 4 bits in front */
-    const uint32_t nine_q24 = (end_q28 + (end_q28 >> 5) + 16) / 16 * 9; /* < 2^28 */
+    /* x/m is at most 1 + part; a 32nd more is for rounding */
+    const uint32_t end_q28 = (uint32_t)cells << bits; /* <= 1 and a cell */
+    const uint32_t most_q28 = end_q28 + multiply_high_u32(end_q28 << 3, inverse->part_q15 << 14) + (end_q28 >> 5) + 2;
+    const uint32_t farthest = (uint32_t)1 << 30; /* no value is beyond that */
+    const int up = 4 - down;
+    const uint32_t limit = up <= 0 ? most_q28 >> -up : most_q28 >> (30 - up) != 0 ? farthest : most_q28 << up;
     gap_scale scale;
-    const int up = 5 - down; /* to Q(29 - down): at least 1 */
-    const uint32_t limit = nine_q24 >> (31 - up) != 0 ? INT32_MAX : nine_q24 << up;
     int cut = 0;
-    while (limit >> cut >= 65536) {
+    while (limit >> cut >= 65535) {
         cut++;
     }
-    scale.limit = (int32_t)limit;
-    scale.half = ((int32_t)1 << cut) >> 1;
+    /* of what is cut, and of a place */
+    scale.half = (((uint32_t)1 << cut) >> 1) + (limit >> 18);
+    scale.limit = (int32_t)(limit + scale.half);
+    scale.end = (uint32_t)cells << GAP_BITS;
     scale.cut = (uint8_t)cut;
-    scale.down = (uint8_t)(19 - down - cut);
+    scale.down = (uint8_t)(19 - GAP_BITS - down + bits - cut); /* 14 or so: cut is bits - down - 3; at least 6 */
     return scale;
 }
 
-/* A cubic's value below the limit, rounded to 15 bits of that and more, which costs up to 2^-16 of it; GAP_BEYOND
- * above. */
-typedef uint32_t gap_part;
+/* m/x, Q15, where the row has come to g: at most 3/2. */
+typedef uint16_t gap_factor;
 
-#define GAP_BEYOND UINT32_MAX
+static inline gap_factor gap_inverse(uint32_t g_q30, const gloss_inverse_rest *rest)
+{
+    const uint32_t g_q15 = g_q30 >> 15;
+    return (gap_factor)((g_q15 * g_q15 + *rest) >> 15);
+}
+
+static inline bool gap_beyond(uint32_t value, const gap_scale *scale)
+{
+    return (int32_t)value >= scale->limit;
+}
+
+/* Is it from 0 to the limit? */
+static inline bool gap_within(uint32_t value, const gap_scale *scale)
+{
+    return value < (uint32_t)scale->limit;
+}
+
+/* A cubic's value within these, rounded to 15 bits of the limit and more, which costs up to 2^-16 of it. */
+typedef uint16_t gap_part;
 
 static inline gap_part gap_part_of(uint32_t value, const gap_scale *scale)
 {
-    return (int32_t)value >= scale->limit ? GAP_BEYOND
-                                          : (uint32_t)positive_part((int32_t)value + scale->half) >> scale->cut;
+    return (gap_part)(value >> scale->cut);
 }
 
-/* The gap, Q28, from that and the inverse of |M|^2 (Q29). */
-static inline uint32_t gap_q28_of(gap_part part, uint32_t inverse_square, const gap_scale *scale)
+/* The place in the table, from that and m/x: at or after scale->end beyond it. */
+static inline uint32_t gap_place_of(gap_part part, gap_factor inverse_q15, const gap_scale *scale)
 {
-    return part == GAP_BEYOND ? UINT32_MAX : (part * (inverse_square >> 14)) >> scale->down; /* 8 gap < 2^16 2^15.84 */
+    return ((uint32_t)part * inverse_q15) >> scale->down; /* < 2^16 2^15.6 */
 }
 
 #endif

@@ -59,6 +59,19 @@ static inline void light_add(light_sum *sum, const light_product *product, real 
     }
 }
 
+/* The same along a row of pixels, but rounded down: light_start_row() has made up for it. */
+static inline void light_add_row(light_sum *sum, const light_product *product, const real *factor_q15, uint16_t count)
+{
+    const uint32_t r = product->q15[0], g = product->q15[1], b = product->q15[2];
+    const real *const end = factor_q15 + count;
+    for (; factor_q15 != end; factor_q15++, sum++) {
+        const uint32_t factor = (uint32_t)*factor_q15;
+        sum->q16[0] += r * factor >> 14;
+        sum->q16[1] += g * factor >> 14;
+        sum->q16[2] += b * factor >> 14;
+    }
+}
+
 static inline void light_start(light_sum *sum, const light_product *ambient)
 {
     for (int k = 0; k < 3; k++) {
@@ -87,6 +100,20 @@ static inline real light_part(real factor, real share)
     return share == 32768 ? factor : (factor * share + (1 << 14)) >> 15;
 }
 
+/* Along a row, for `terms` of light_add_row(): each loses less than a unit, half of one on average. */
+static inline void light_start_row(light_sum *sum, const light_product *ambient, uint32_t terms, uint16_t count)
+{
+    const uint32_t more = terms >> 1;
+    const uint32_t r = (ambient->q15[0] << 1) + more, g = (ambient->q15[1] << 1) + more;
+    const uint32_t b = (ambient->q15[2] << 1) + more;
+    const light_sum *const end = sum + count;
+    for (; sum != end; sum++) {
+        sum->q16[0] = r;
+        sum->q16[1] = g;
+        sum->q16[2] = b;
+    }
+}
+
 static inline uint16_t light_clamp(uint32_t q16)
 {
     return (uint16_t)(q16 >= 65536 ? 32768 : (q16 + 1) >> 1);
@@ -99,9 +126,9 @@ static inline glint_shade light_finish(const light_sum *sum)
 }
 
 /* A share of the ramp, and a cosine in Q15, as the backend's numbers. */
-static inline real light_share(uint16_t q15)
+static inline real light_share(uint32_t q15)
 {
-    return q15;
+    return (int32_t)q15;
 }
 
 static inline int32_t cosine_q15(real cosine)
@@ -112,12 +139,15 @@ static inline int32_t cosine_q15(real cosine)
 /* |a - b|^2 in Q16 of two unit vectors, rounded up, at most 4. */
 static inline uint32_t chord_q16(const real a[3], const real b[3])
 {
-    uint32_t square = 0;
-    for (int k = 0; k < 3; k++) {
-        const uint32_t d = magnitude32(a[k] - b[k]) >> 1; /* Q14 */
-        square += d * d + d;                              /* < 2^30: the half that was dropped is within d */
+    const int32_t x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+    const uint32_t beyond = (uint32_t)(x + 32768) | (uint32_t)(y + 32768) | (uint32_t)(z + 32768);
+    if (beyond >> 16 == 0) {
+        const uint32_t square_q30 = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z); /* <= 3 2^30 */
+        return (square_q30 + 16383) >> 14;
     }
-    return (square + 4095) >> 12;
+    const uint32_t u = magnitude32(x) >> 1, v = magnitude32(y) >> 1, w = magnitude32(z) >> 1; /* Q14 */
+    /* < 2^30 each: the half that was dropped of d is within d */
+    return (u * u + u + v * v + v + w * w + w + 4095) >> 12;
 }
 
 static inline bool unit(const real v[3], real out[3])

@@ -44,6 +44,13 @@ static inline void light_add(light_sum *sum, const light_product *product, real 
     }
 }
 
+static inline void light_add_row(light_sum *sum, const light_product *product, const real *factor, uint16_t count)
+{
+    for (uint16_t i = 0; i < count; i++) {
+        light_add(&sum[i], product, factor[i]);
+    }
+}
+
 static inline void light_start(light_sum *sum, const light_product *ambient)
 {
     for (int k = 0; k < 3; k++) {
@@ -69,6 +76,14 @@ static inline real light_part(real factor, real share)
     return factor * share;
 }
 
+static inline void light_start_row(light_sum *sum, const light_product *ambient, uint32_t terms, uint16_t count)
+{
+    (void)terms;
+    for (uint16_t i = 0; i < count; i++) {
+        light_start(&sum[i], ambient);
+    }
+}
+
 static inline uint16_t light_clamp(float value)
 {
     /* written so that NaN becomes black */
@@ -82,7 +97,7 @@ static inline glint_shade light_finish(const light_sum *sum)
     return shade;
 }
 
-static inline real light_share(uint16_t q15)
+static inline real light_share(uint32_t q15)
 {
     return (float)q15 * (1.0f / 32768);
 }

@@ -121,11 +121,26 @@ int glint_clz32(uint32_t value);
 uint32_t glint_multiply_high_u32(uint32_t a, uint32_t b);
 int32_t glint_multiply_high_s32(int32_t a, int32_t b);
 
+/* A function whose variables are to leave the stack when it returns: one whose caller goes on to call deeper. */
+#if defined __GNUC__
+#define GLINT_APART __attribute__((noinline))
+#else
+#define GLINT_APART
+#endif
+
 /* A function that is compiled anew for each constant that it is called with, unless code is to be small. */
 #if defined __GNUC__ && !defined __OPTIMIZE_SIZE__
 #define GLINT_SPECIALISED inline __attribute__((always_inline))
 #else
 #define GLINT_SPECIALISED
+#endif
+
+/* A function that is kept apart: within its caller, its loops would share the registers with all that is alive there.
+ */
+#if defined __GNUC__
+#define GLINT_APART __attribute__((noinline))
+#else
+#define GLINT_APART
 #endif
 
 /* Number of leading zero bits; 32 for 0. */
@@ -235,6 +250,22 @@ static inline int32_t multiply_high_s32(int32_t a, int32_t b)
 static inline int32_t multiply_high_s32_u31(int32_t a, uint32_t b)
 {
     return multiply_high_s32(a, (int32_t)b);
+}
+
+/* a b, all 64 bits of it. */
+static inline int64_t multiply_wide_narrow_s32(int32_t a, int32_t b)
+{
+    const uint32_t high = (uint32_t)multiply_high_s32(a, b);
+    return (int64_t)((uint64_t)high << 32 | (uint32_t)a * (uint32_t)b);
+}
+
+static inline int64_t multiply_wide_s32(int32_t a, int32_t b)
+{
+#if GLINT_WIDE_MULTIPLY
+    return (int64_t)a * b;
+#else
+    return multiply_wide_narrow_s32(a, b);
+#endif
 }
 
 /* floor(a b / 2^16) for any a and a 16-bit b, two 32-bit products:

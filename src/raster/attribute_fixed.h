@@ -108,18 +108,44 @@ static inline real attribute_next(real value, const attribute_plane *plane)
 /* Rays through pixel centres, see glint_frame. */
 typedef struct pixel_rays {
     real v[3][3];
-    int16_t fraction;
+    int8_t fraction;   /* at most 30 */
+    uint8_t down;      /* by how many bits the longest one over the display comes to 2^14..2^15 */
     uint16_t reach_px; /* |x| + |y| of the farthest vertex whose ray surface_set_vertex_ray() can take */
 } pixel_rays;
 
-static inline void rays_prepare(pixel_rays *rays, const glint_frame *frame)
+/* Components are below 2^30 over the display, so the squares of 15 bits add up to 3 2^30 at most. The longest ray is
+ * one through a corner. */
+static inline uint8_t rays_down(const pixel_rays *rays, int16_t x_last, int16_t y_last)
+{
+    uint32_t longest = 0;
+    uint8_t down = 15;
+    for (int corner = 0; corner < 4; corner++) {
+        const int16_t x = corner & 1 ? x_last : 0, y = corner & 2 ? y_last : 0;
+        uint32_t square = 0;
+        for (int k = 0; k < 3; k++) {
+            const int32_t c = (rays->v[0][k] + x * rays->v[1][k] + y * rays->v[2][k]) >> 15;
+            square += (uint32_t)(c * c);
+        }
+        longest = square > longest ? square : longest;
+    }
+    if (longest >= (uint32_t)1 << 30) {
+        return 16;
+    }
+    for (; down > 1 && longest < ((uint32_t)1 << 28) - ((uint32_t)1 << 16); longest <<= 2) {
+        down--;
+    }
+    return down;
+}
+
+static inline void rays_prepare(pixel_rays *rays, const glint_frame *frame, const glint_view *view)
 {
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++) {
             rays->v[i][k] = frame->ray[i][k];
         }
     }
-    rays->fraction = frame->ray_fraction;
+    rays->fraction = (int8_t)frame->ray_fraction;
+    rays->down = rays_down(rays, (int16_t)(view->width_px - 1), (int16_t)(view->height_px - 1));
     /* an eighth of v[0], below 2^28, and |x| + |y| eighths of a step stay below 2^30 */
     uint32_t step = 0;
     for (int k = 0; k < 3; k++) {

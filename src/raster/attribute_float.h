@@ -95,8 +95,9 @@ typedef struct pixel_rays {
     real v[3][3];
 } pixel_rays;
 
-static inline void rays_prepare(pixel_rays *rays, const glint_frame *frame)
+static inline void rays_prepare(pixel_rays *rays, const glint_frame *frame, const glint_view *view)
 {
+    (void)view;
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++) {
             rays->v[i][k] = float_from_scaled(frame->ray[i][k], frame->ray_fraction);

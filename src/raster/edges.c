@@ -1,16 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "raster/edges.h"
 
-int64_t glint_signed_area(const glint_point corner[3])
+int64_t glint_signed_area_wide(const glint_point corner[3])
 {
     const int32_t ax = corner[1].x - corner[0].x, ay = corner[1].y - corner[0].y;
     const int32_t bx = corner[2].x - corner[0].x, by = corner[2].y - corner[0].y;
-    const int32_t most = (int32_t)1 << 15;
-    if ((uint32_t)((ax + most) | (ay + most) | (bx + most) | (by + most)) >> 16 == 0) {
-        /* -2^15..2^15 - 1, 128 px: 32 bits hold it, and small processors are spared wide products */
-        return ax * by - bx * ay;
-    }
-    const int64_t area = (int64_t)ax * by - (int64_t)bx * ay;
+    const int64_t area = multiply_wide_s32(ax, by) - multiply_wide_s32(bx, ay);
     GLINT_TRACE("signed area q16", area);
     return area;
 }
@@ -44,17 +39,14 @@ int16_t glint_last_pixel(int32_t subpixels, uint16_t size_px)
     return clamp_pixel(((subpixels >> 1) - GLINT_SUBPIXEL / 4) >> (GLINT_SUBPIXEL_BITS - 1), -1, (int32_t)size_px - 1);
 }
 
-glint_box glint_bounding_box(const glint_point corner[3], uint16_t width_px, uint16_t height_px)
+void glint_bounding_box(glint_box *box, const glint_point corner[3], uint16_t width_px, uint16_t height_px)
 {
     const glint_point *a = &corner[0], *b = &corner[1], *c = &corner[2];
     /* beyond the display: first = size or last = -1, which makes the box empty */
-    const glint_box box = {
-        .x_first = clamp_pixel(first_pixel(least(a->x, b->x, c->x)), 0, width_px),
-        .x_last = glint_last_pixel(greatest(a->x, b->x, c->x), width_px),
-        .y_first = clamp_pixel(first_pixel(least(a->y, b->y, c->y)), 0, height_px),
-        .y_last = (int16_t)(clamp_pixel(first_pixel(greatest(a->y, b->y, c->y)), 0, height_px) - 1),
-    };
-    return box;
+    box->x_first = clamp_pixel(first_pixel(least(a->x, b->x, c->x)), 0, width_px);
+    box->x_last = glint_last_pixel(greatest(a->x, b->x, c->x), width_px);
+    box->y_first = clamp_pixel(first_pixel(least(a->y, b->y, c->y)), 0, height_px);
+    box->y_last = (int16_t)(clamp_pixel(first_pixel(greatest(a->y, b->y, c->y)), 0, height_px) - 1);
 }
 
 /* Upper and lower of a side's edges on the left, lower and upper on the right, by the set of them, 4 for edge 0, 2 for
@@ -117,39 +109,99 @@ void glint_edges_set_up(glint_edges *edges, const glint_point corner[3], bool cl
     }
 }
 
-/* The values of an edge from pixel (x, y) on. */
-static void take_edge(glint_side *side, const glint_edges *edges, uint8_t edge, int x, int y)
+/* Brings a side to an edge: its place in row y, and how it moves on from there. */
+static void take_edge(glint_side *side, const glint_edges *edges, uint8_t edge, bool right, int y)
 {
-    const int32_t columns = x - edges->box.x_first, rows = y - edges->box.y_first;
-    const int32_t step_x = edges->step_x[edge], step_y = edges->step_y[edge];
-    side->value = edges->value[edge] + (uint32_t)columns * (uint32_t)step_x + (uint32_t)rows * (uint32_t)step_y;
-    GLINT_TRACE("edge function", (int32_t)edges->value[edge] + (int64_t)columns * step_x + (int64_t)rows * step_y);
-    side->inwards = magnitude32(step_x);
-    side->down = (uint32_t)step_y;
+    const glint_box *const box = &edges->box;
+    /* a right end is one pixel behind the last of its span */
+    const int outermost = right ? box->x_last + 1 : box->x_first, innermost = right ? box->x_first : box->x_last + 1;
+    const int inwards = right ? -1 : 1, columns = right ? side->x - 1 - box->x_first : side->x - box->x_first;
+    const int rows = y - box->y_first;
+    const int32_t step_x = edges->step_x[edge], down = edges->step_y[edge];
+    const uint32_t rise = magnitude32(step_x);
+    uint32_t value = edges->value[edge] + (uint32_t)columns * (uint32_t)step_x + (uint32_t)rows * (uint32_t)down;
+    int x = side->x;
+    GLINT_TRACE("edge function", (int32_t)edges->value[edge] + (int64_t)columns * step_x + (int64_t)rows * down);
+    while ((int32_t)value < 0 && x != innermost) {
+        x += inwards;
+        value += rise;
+    }
+    while ((int32_t)(value - rise) >= 0 && x != outermost) {
+        x -= inwards;
+        value -= rise;
+    }
+    side->x = x;
+    side->rise = rise;
+    side->fall = magnitude32(down);
+    if (down < 0) {
+        side->margin = value;
+        side->move = inwards;
+        side->stop = innermost;
+    } else {
+        side->margin = rise - 1 - value; /* -1 - E' one pixel further out */
+        side->move = -inwards;
+        side->stop = outermost;
+    }
+    side->margin += side->fall; /* as it was in the row above */
 }
 
-void glint_spans_bend(glint_spans *spans)
+/* The ends of rows along one edge, to every other place of `end`. */
+static void take_rows(glint_side *side, uint16_t *end, int count)
 {
-    const glint_edges *edges = spans->edges;
-    if (edges->bend_left) {
-        take_edge(&spans->left, edges, edges->left[1], spans->x_first + spans->left.inset, spans->y);
-    } else {
-        take_edge(&spans->right, edges, edges->right[1], spans->x_last - spans->right.inset, spans->y);
+    const uint32_t fall = side->fall, rise = side->rise;
+    const int move = side->move, stop = side->stop;
+    uint16_t *const behind = end + 2 * count;
+    uint32_t margin = side->margin;
+    int x = side->x;
+    while (end != behind) {
+        margin -= fall;
+        while ((int32_t)margin < 0 && x != stop) {
+            x += move;
+            margin += rise;
+        }
+        *end = (uint16_t)x;
+        end += 2;
     }
-    spans->y_stop = spans->y_end;
+    side->margin = margin;
+    side->x = x;
+}
+
+int glint_spans_take(glint_spans *spans)
+{
+    const glint_edges *const edges = spans->edges;
+    const int left = spans->y_end - spans->y, count = left < GLINT_SPAN_ROWS ? left : GLINT_SPAN_ROWS;
+    spans->count = count;
+    if (count > 0) {
+        const bool bend_left = edges->bend_left;
+        glint_side *const bending = bend_left ? &spans->left : &spans->right;
+        uint16_t *end = bend_left ? &spans->row[0].first : &spans->row[0].end;
+        int lower = count;
+        if (spans->y_bend - spans->y < count) {
+            const int upper = spans->y_bend - spans->y;
+            take_rows(bending, end, upper);
+            take_edge(bending, edges, bend_left ? edges->left[1] : edges->right[1], !bend_left, spans->y_bend);
+            spans->y_bend = INT16_MAX;
+            end += 2 * upper;
+            lower -= upper;
+        }
+        take_rows(bending, end, lower);
+        take_rows(bend_left ? &spans->right : &spans->left, bend_left ? &spans->row[0].end : &spans->row[0].first,
+                  count);
+        spans->y += count;
+    }
+    return count;
 }
 
 void glint_spans_begin(glint_spans *spans, const glint_edges *edges, int16_t y_first, int16_t y_last)
 {
     const int lower = edges->row_of_bend <= y_first; /* the bend is behind */
     spans->edges = edges;
-    spans->x_first = edges->box.x_first;
-    spans->x_last = edges->box.x_last;
-    spans->columns = spans->x_last - spans->x_first + 1;
-    spans->left.inset = spans->right.inset = 0;
     spans->y = y_first;
+    spans->y_bend = lower ? INT16_MAX : edges->row_of_bend;
     spans->y_end = y_last + 1;
-    spans->y_stop = lower || edges->row_of_bend > y_last ? spans->y_end : edges->row_of_bend;
-    take_edge(&spans->left, edges, edges->left[lower], spans->x_first, y_first);
-    take_edge(&spans->right, edges, edges->right[lower], spans->x_last, y_first);
+    spans->taken = spans->count = 0;
+    spans->left.x = edges->box.x_first;
+    spans->right.x = edges->box.x_last + 1;
+    take_edge(&spans->left, edges, edges->left[lower], false, y_first);
+    take_edge(&spans->right, edges, edges->right[lower], true, y_first);
 }

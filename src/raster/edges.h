@@ -10,8 +10,8 @@
  * f, f what is left, 0..255 in x and y, E >= 0 holds just when E' = dx n - dy m + floor((dx f_y - dy f_x + bias) / 256)
  * >= 0, bias = 0 on left and top edges, -1 elsewhere, since the first two terms of E / 256 are whole. |E'| <= 2 area /
  * 256 <= 256 L^2, L the side in px of the bounding box of triangle and sample points: below 2^31 for L < 2896. The
- * guard band keeps L at or below 2 GLINT_GUARD_PX = 2880. The products wrap modulo 2^32 on the way, which the final
- * range makes good.
+ * guard band keeps L at or below 2 GLINT_GUARD_PX + 1 = 2881, with a pixel beside the box. The products wrap modulo
+ * 2^32 on the way, which the final range makes good.
  */
 #ifndef GLINT_RASTER_EDGES_H
 #define GLINT_RASTER_EDGES_H
@@ -21,9 +21,8 @@
 
 #include "geometry/view.h"
 
-typedef char
-    glint_assert_edge_range[(uint64_t)(2 * GLINT_GUARD_PX) * (2 * GLINT_GUARD_PX) * GLINT_SUBPIXEL < 0x80000000u ? 1
-                                                                                                                 : -1];
+typedef char glint_assert_edge_range
+    [(uint64_t)(2 * GLINT_GUARD_PX + 1) * (2 * GLINT_GUARD_PX + 1) * GLINT_SUBPIXEL < 0x80000000u ? 1 : -1];
 
 /* A projected vertex. */
 typedef struct glint_screen_vertex {
@@ -65,11 +64,22 @@ typedef struct glint_edges {
     int32_t step_y[3];         /* E' per pixel down (dx) */
 } glint_edges;
 
+int64_t glint_signed_area_wide(const glint_point corner[3]);
+
 /* Twice the signed area in squared sub-pixels: positive for corners clockwise on the display. Exact. */
-int64_t glint_signed_area(const glint_point corner[3]);
+static inline int64_t glint_signed_area(const glint_point corner[3])
+{
+    const int32_t ax = corner[1].x - corner[0].x, ay = corner[1].y - corner[0].y;
+    const int32_t bx = corner[2].x - corner[0].x, by = corner[2].y - corner[0].y;
+    if (((ax ^ ax >> 31) | (ay ^ ay >> 31) | (bx ^ bx >> 31) | (by ^ by >> 31)) >> 15 == 0) {
+        /* -2^15..2^15 - 1, 128 px: 32 bits hold it, and small processors are spared wide products */
+        return ax * by - bx * ay;
+    }
+    return glint_signed_area_wide(corner);
+}
 
 /* Pixels whose centres lie in the corners' bounding box, within width x height. */
-glint_box glint_bounding_box(const glint_point corner[3], uint16_t width_px, uint16_t height_px);
+void glint_bounding_box(glint_box *box, const glint_point corner[3], uint16_t width_px, uint16_t height_px);
 
 /* Last row or column whose pixels' centres are at or before a coordinate: -1..size_px - 1. */
 int16_t glint_last_pixel(int32_t subpixels, uint16_t size_px);
@@ -80,91 +90,59 @@ int16_t glint_last_pixel(int32_t subpixels, uint16_t size_px);
  */
 void glint_edges_set_up(glint_edges *edges, const glint_point corner[3], bool clockwise, glint_box box);
 
-/* One end of a row: E' of its edge there, its growth for a pixel into the triangle (> 0) and for a row down. */
+/* The covered pixels of a row: first..end - 1, none where end <= first. */
+typedef struct glint_span {
+    uint16_t first, end;
+} glint_span;
+
+/* Rows whose spans are found at a time: first their left ends and then their right ones, so that what a side takes from
+ * row to row stays in registers. */
+#define GLINT_SPAN_ROWS 32
+
+/*
+ * One side of the rows. From row to row an edge moves one way only: inwards, where E' of the span's end falls below 0,
+ * or outwards, where -1 - E' of the pixel next to it does. That value is the margin; it falls by `fall` (>= 0) a row,
+ * and rises by `rise` (> 0) for each pixel that the side moves by.
+ */
 typedef struct glint_side {
-    uint32_t value, inwards, down;
-    int inset; /* pixels from the box's end on this side: 0..columns, where the row is empty */
+    uint32_t margin, fall, rise;
+    int x, move, stop; /* the end of the last span found; 1 or -1; where it moves no further: the box's end */
 } glint_side;
 
 /* Runs over the covered pixels of a triangle, row by row. Coordinates are int, which small processors load faster. */
 typedef struct glint_spans {
     glint_side left, right;
-    int x_first, x_last, columns; /* of the triangle's box */
-    int y, y_stop, y_end;         /* the next row; where the triangle bends or ends; behind the last row */
+    int y, y_bend, y_end; /* the next row; where the triangle bends, if it still does; behind the last row */
+    int taken;            /* of the spans, by glint_spans_next() */
+    int count;            /* spans, of the rows above y */
     const glint_edges *edges;
+    glint_span row[GLINT_SPAN_ROWS];
 } glint_spans;
 
 /* Rows y_first..y_last of the triangle's box, no row outside of it. */
 void glint_spans_begin(glint_spans *spans, const glint_edges *edges, int16_t y_first, int16_t y_last);
 
-/* Takes up the lower of two edges. */
-void glint_spans_bend(glint_spans *spans);
-
-/* Moves a side to its outermost pixel of the row that the edge holds inside, and its value to the row below. Returns
- * the inset of the pixel. */
-static inline int glint_side_move(glint_side *side, int columns)
-{
-    uint32_t value = side->value;
-    const uint32_t inwards = side->inwards;
-    int inset = side->inset;
-    if ((int32_t)value < 0) {
-        while (inset != columns) {
-            inset++;
-            value += inwards;
-            if ((int32_t)value >= 0) {
-                break;
-            }
-        }
-    } else {
-        while (inset != 0 && (int32_t)(value - inwards) >= 0) {
-            value -= inwards;
-            inset--;
-        }
-    }
-    side->value = value + side->down;
-    side->inset = inset;
-    return inset;
-}
-
-/* Is there another row? */
-static inline bool glint_spans_more(glint_spans *spans)
-{
-    if (spans->y >= spans->y_stop) {
-        if (spans->y >= spans->y_end) {
-            return false;
-        }
-        glint_spans_bend(spans);
-    }
-    return true;
-}
-
-/* Takes that row: pixels x_first..x_last. False where no pixel is covered. */
-static inline bool glint_spans_row(glint_spans *spans, int *x_first, int *x_last)
-{
-    spans->y++;
-    const int left = glint_side_move(&spans->left, spans->columns);
-    const int right = glint_side_move(&spans->right, spans->columns);
-    *x_first = spans->x_first + left;
-    *x_last = spans->x_last - right;
-    return left + right < spans->columns;
-}
-
 /*
- * The next row with covered pixels: x_first..x_last of row y. False after the last. The ends move by as many pixels as
- * the edges do from row to row, so a triangle takes no more steps than its box has columns on either side, and no
- * division.
+ * Finds the spans of the next rows and returns how many, 0 after the last. The ends move by as many pixels as the edges
+ * do from row to row, so a triangle takes no more steps than its box has columns on either side, and no division.
  */
+int glint_spans_take(glint_spans *spans);
+
+/* The next row with covered pixels: x_first..x_last of row y. False after the last. */
 static inline bool glint_spans_next(glint_spans *spans, int16_t *y, int16_t *x_first, int16_t *x_last)
 {
-    while (glint_spans_more(spans)) {
-        int first, last;
-        if (glint_spans_row(spans, &first, &last)) {
-            *y = (int16_t)(spans->y - 1);
-            *x_first = (int16_t)first;
-            *x_last = (int16_t)last;
-            return true;
+    do {
+        while (spans->taken < spans->count) {
+            const glint_span *span = &spans->row[spans->taken++];
+            if (span->first < span->end) {
+                *y = (int16_t)(spans->y - spans->count + spans->taken - 1);
+                *x_first = (int16_t)span->first;
+                *x_last = (int16_t)(span->end - 1);
+                return true;
+            }
         }
-    }
+        spans->taken = 0;
+    } while (glint_spans_take(spans) > 0);
     return false;
 }
 

@@ -208,14 +208,19 @@ static inline bool field_square_set_up(field_quadratic *field, const attribute_p
     return true;
 }
 
+/* dx, dy pixels from the anchor. */
+static inline field_row field_quadratic_from(const field_quadratic *field, int32_t right, int32_t below)
+{
+    const uint32_t dx = (uint32_t)right, dy = (uint32_t)below, along = field->x + dy * field->xy, bend = dx * field->xx;
+    const field_row row = {field->value + dy * (field->y + dy * field->yy) + dx * (along + bend),
+                           along + 2 * bend + field->xx, 2 * field->xx};
+    return row;
+}
+
 static inline field_row field_quadratic_at(const field_quadratic *field, const glint_gradients *gradients, int16_t x,
                                            int16_t y)
 {
-    const uint32_t dx = (uint32_t)((int32_t)x - gradients->anchor_x), dy = (uint32_t)((int32_t)y - gradients->anchor_y);
-    const uint32_t along = field->x + dy * field->xy;
-    const field_row row = {field->value + dy * (field->y + dy * field->yy) + dx * (along + dx * field->xx),
-                           along + (2 * dx + 1) * field->xx, 2 * field->xx};
-    return row;
+    return field_quadratic_from(field, (int32_t)x - gradients->anchor_x, (int32_t)y - gradients->anchor_y);
 }
 
 static inline void field_row_next(field_row *row)
@@ -271,38 +276,6 @@ typedef int32_t field_value;
 static inline int32_t field_curve_step(uint32_t value)
 {
     return positive_part((int32_t)value);
-}
-
-/* A field's column at the anchor, from row to row; and the row from a pixel on. */
-typedef struct field_column {
-    uint32_t value, down, along, along_down, bend, fall;
-} field_column;
-
-static inline field_column field_column_at(const field_quadratic *field, const glint_gradients *gradients, int16_t y)
-{
-    const uint32_t dy = (uint32_t)((int32_t)y - gradients->anchor_y);
-    const field_column column = {field->value + dy * (field->y + dy * field->yy),
-                                 field->y + (2 * dy + 1) * field->yy,
-                                 field->x + dy * field->xy,
-                                 field->xy,
-                                 field->xx,
-                                 2 * field->yy};
-    return column;
-}
-
-static inline void field_column_next(field_column *column)
-{
-    column->value += column->down;
-    column->down += column->fall;
-    column->along += column->along_down;
-}
-
-static inline field_row field_column_row(const field_column *column, int32_t dx)
-{
-    const uint32_t n = (uint32_t)dx, bend = n * column->bend;
-    const field_row row = {column->value + n * (column->along + bend), column->along + 2 * bend + column->bend,
-                           2 * column->bend};
-    return row;
 }
 
 static inline void field_row_skip(field_row *row, uint16_t count)
@@ -383,12 +356,28 @@ static inline void field_run_second(uint16_t *at, const uint16_t *end, const uin
     } while (at != end);
 }
 
-/* Along a curve of degree 2, which is not negative on the row. */
-static inline void field_run_curve(uint16_t *at, const uint16_t *end, const uint16_t *pixel, field_row row)
+/* Along a curve of degree 2, which is not negative on the row. First what makes the rest a number of fours: nothing is
+ * left to be carried on behind the loop then. */
+static inline void field_run_curve(uint16_t *at, uint32_t count, const uint16_t *pixel, field_row row)
 {
+    const uint16_t *const end = at + count;
     const uint32_t bend = row.bend;
     uint32_t value = row.value, slope = row.step;
-    while (end - at >= 4) {
+    if (count & 1) {
+        *at++ = pixel[value >> 19];
+        value += slope;
+        slope += bend;
+    }
+    if (count & 2) {
+        at[0] = pixel[value >> 19];
+        value += slope;
+        slope += bend;
+        at[1] = pixel[value >> 19];
+        value += slope;
+        slope += bend;
+        at += 2;
+    }
+    while (at != end) {
         at[0] = pixel[value >> 19];
         value += slope;
         slope += bend;
@@ -403,11 +392,6 @@ static inline void field_run_curve(uint16_t *at, const uint16_t *end, const uint
         slope += bend;
         at += 4;
     }
-    while (at != end) {
-        *at++ = pixel[value >> 19];
-        value += slope;
-        slope += bend;
-    }
 }
 
 /* The same with something added at each pixel; returns where the curve has come to. */
@@ -415,7 +399,7 @@ static inline field_row field_run_curve_and(uint16_t *at, const uint16_t *end, c
                                             const field_value *more)
 {
     while (at != end) {
-        *at++ = pixel[field_step((int32_t)row.value + *more++)];
+        *at++ = pixel[(row.value + (uint32_t)*more++) >> 19];
         field_row_next(&row);
     }
     return row;

@@ -93,14 +93,19 @@ static inline bool field_square_set_up(field_quadratic *field, const attribute_p
     return true;
 }
 
-static inline field_row field_quadratic_at(const field_quadratic *field, const glint_gradients *gradients, int16_t x,
-                                           int16_t y)
+static inline field_row field_quadratic_from(const field_quadratic *field, int32_t right, int32_t below)
 {
-    const float dx = (float)(x - gradients->anchor_x), dy = (float)(y - gradients->anchor_y);
+    const float dx = (float)right, dy = (float)below;
     const float along = field->x + dy * field->xy;
     const field_row row = {field->value + dy * (field->y + dy * field->yy) + dx * (along + dx * field->xx),
                            along + (2.0f * dx + 1.0f) * field->xx, 2.0f * field->xx};
     return row;
+}
+
+static inline field_row field_quadratic_at(const field_quadratic *field, const glint_gradients *gradients, int16_t x,
+                                           int16_t y)
+{
+    return field_quadratic_from(field, (int32_t)x - gradients->anchor_x, (int32_t)y - gradients->anchor_y);
 }
 
 static inline void field_row_next(field_row *row)
@@ -146,33 +151,6 @@ typedef float field_value;
 static inline float field_curve_step(float value)
 {
     return value > 0.0f ? value : 0.0f;
-}
-
-typedef struct field_column {
-    const field_quadratic *field;
-    float dy;
-} field_column;
-
-/* Rows are taken afresh: sums of steps would depend on where they began. */
-static inline field_column field_column_at(const field_quadratic *field, const glint_gradients *gradients, int16_t y)
-{
-    const field_column column = {field, (float)(y - gradients->anchor_y)};
-    return column;
-}
-
-static inline void field_column_next(field_column *column)
-{
-    column->dy += 1.0f;
-}
-
-static inline field_row field_column_row(const field_column *column, int32_t dx)
-{
-    const field_quadratic *const field = column->field;
-    const float n = (float)dx, along = field->x + column->dy * field->xy;
-    const field_row row = {field->value + column->dy * (field->y + column->dy * field->yy) +
-                               n * (along + n * field->xx),
-                           along + (2.0f * n + 1.0f) * field->xx, 2.0f * field->xx};
-    return row;
 }
 
 static inline void field_row_skip(field_row *row, uint16_t count)
@@ -242,8 +220,9 @@ static inline void field_run_first(uint16_t *at, const uint16_t *end, const uint
     } while (at != end);
 }
 
-static inline void field_run_curve(uint16_t *at, const uint16_t *end, const uint16_t *pixel, field_row row)
+static inline void field_run_curve(uint16_t *at, uint32_t count, const uint16_t *pixel, field_row row)
 {
+    const uint16_t *const end = at + count;
     do {
         *at++ = pixel[field_step(row.value)];
         row.value += row.step;

@@ -32,7 +32,7 @@ static int64_t area_of(const int32_t dx[2], const int32_t dy[2], uint32_t any)
         const int32_t lower = dx[0] * (dy[1] & 1023) - dx[1] * (dy[0] & 1023);
         return (int64_t)upper * 1024 + lower;
     }
-    return (int64_t)dx[0] * dy[1] - (int64_t)dx[1] * dy[0];
+    return multiply_wide_s32(dx[0], dy[1]) - multiply_wide_s32(dx[1], dy[0]);
 }
 
 /* d r / 2^31 2^-down, rounded, for |d| <= 2^30 and 2^30 <= r < 2^31 in halves. */
@@ -66,11 +66,15 @@ void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_verte
     gradients->anchor_y = (int16_t)(a->y >> GLINT_FINE_BITS);
     gradients->offset_x = gradients->offset_y = 0;
     if (gradients->area <= 0) {
+        gradients->inverse_q31 = glint_reciprocal_q31((uint32_t)1 << 31);
+        gradients->inverse_down = -31;
         return;
     }
     /* area = upper 2^(area_bits-32) with a leading one */
     int area_bits;
     const uint32_t upper = normalize64((uint64_t)gradients->area, &area_bits);
+    gradients->inverse_q31 = glint_reciprocal_q31(upper);
+    gradients->inverse_down = area_bits - 32;
     const int bits = 32 - clz32(any); /* of the longest side, <= 24 */
     /* |gradient| < 2^excess per pixel */
     const int excess = bits + GLINT_FINE_BITS - area_bits + 1;
@@ -86,7 +90,7 @@ void glint_gradients_set_up(glint_gradients *gradients, const glint_screen_verte
     gradients->offset_y = (int16_t)(GLINT_FINE / 2 - (a->y & (GLINT_FINE - 1)));
     /* 1/area = r 2^(-30-area_bits), r < 2^31; the bits of the area that `upper` drops are a relative 2^-31 of it, half
      * a unit of a gradient at most */
-    const int32_t r = (int32_t)glint_reciprocal_q31(upper), r_low = low_half(r);
+    const int32_t r = (int32_t)gradients->inverse_q31, r_low = low_half(r);
     const int32_t r_high = (int32_t)(((uint32_t)r + 0x8000u) >> 16); /* 2^15 at most */
     /* a side, brought to 30 bits, times r: d r 2^(30 - bits - 31); d / area per 1/4096 px, in Q30 per px, is that times
      * 2^-down */
@@ -103,20 +107,20 @@ void glint_gradients_weights(const glint_gradients *gradients, int16_t x, int16_
 {
     const int32_t centre_x = x * GLINT_FINE + GLINT_FINE / 2, centre_y = y * GLINT_FINE + GLINT_FINE / 2;
     const int64_t area = gradients->area > 0 ? gradients->area : 1;
-    const int down = bit_length64((uint64_t)area) - 32;
-    const uint32_t r = glint_reciprocal_q31((uint32_t)(down > 0 ? area >> down : area << -down));
+    const int down = gradients->inverse_down;
+    const uint32_t r = gradients->inverse_q31;
     int32_t rest = (int32_t)1 << 30;
     for (int i = 0; i < 2; i++) {
         const glint_screen_vertex *from = opposite_from(gradients, i), *to = opposite_to(gradients, i);
-        const int64_t inside =
-            (int64_t)(to->x - from->x) * (centre_y - from->y) - (int64_t)(to->y - from->y) * (centre_x - from->x);
+        const int64_t inside = multiply_wide_s32(to->x - from->x, centre_y - from->y) -
+                               multiply_wide_s32(to->y - from->y, centre_x - from->x);
         int32_t weight = 0;
         if (inside >= area) {
             weight = rest;
         } else if (inside > 0) {
             /* inside / area = (inside 2^-down) r / 2^62 */
             const uint32_t part = (uint32_t)(down > 0 ? inside >> down : inside << -down);
-            weight = (int32_t)(((uint64_t)part * r) >> 32);
+            weight = (int32_t)multiply_high_u32(part, r);
             GLINT_TRACE("sliver weight q30", weight);
             weight = weight > rest ? rest : weight;
         }

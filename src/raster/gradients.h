@@ -20,6 +20,8 @@ typedef struct glint_gradients {
     int16_t anchor_x, anchor_y; /* the pixel that holds corner 0 */
     int16_t offset_x, offset_y; /* from corner 0 to that pixel's centre, 1/4096 px: -2047..2048 */
     int64_t area;               /* twice the area in (1/4096 px)^2; may be 0 or less for a sliver */
+    uint32_t inverse_q31;       /* 1/area is inverse_q31 2^-(62 + inverse_down); that of 1 where there is no area */
+    int inverse_down;
 } glint_gradients;
 
 /* `order` is the clockwise order of its three vertices, see glint_edges. */
@@ -32,6 +34,17 @@ static inline int glint_gradients_spare_bits(const glint_gradients *gradients)
     const int zeros = clz32(magnitude32(gradients->x[0]) | magnitude32(gradients->x[1]) | magnitude32(gradients->y[0]) |
                             magnitude32(gradients->y[1]) | 1);
     return zeros < 2 ? 0 : zeros - 2;
+}
+
+/* Are there 3 of them at least? False for slivers. */
+static inline bool glint_gradients_gentle(const glint_gradients *gradients)
+{
+    if (gradients->sliver) {
+        return false;
+    }
+    const uint32_t any = magnitude32(gradients->x[0]) | magnitude32(gradients->x[1]) | magnitude32(gradients->y[0]) |
+                         magnitude32(gradients->y[1]);
+    return any >> 27 == 0;
 }
 
 /*

@@ -126,9 +126,9 @@ static inline void lattice_quadratic(field_quadratic *field, const lattice_gradi
 }
 
 /* A polynomial of degree 3 as the sum of c[i][j] C(dx, i) C(dy, j), C the binomial coefficient, dx and dy from the
- * pixel that holds the centroid. */
+ * pixel that holds the centroid; of those of C(n, 3) = n (n - 1) (n - 2) / 6 the third part, modulo 2^32. */
 typedef struct field_cubic {
-    uint32_t value, x, y, xx, xy, yy, xxx, xxy, xyy, yyy;
+    uint32_t value, x, y, xx, xy, yy, third_xxx, xxy, xyy, third_yyy;
 } field_cubic;
 
 /* That pixel, and the way from the centroid to its centre, 1/4096 px. */
@@ -147,14 +147,17 @@ static inline lattice_centre lattice_centre_of(const glint_screen_vertex *const 
     return centre;
 }
 
-/* One row of it from a pixel on: the value and its forward differences. */
+/* One row of it from a pixel on: the value and its forward differences, of the last the third part. */
 typedef struct cubic_row {
-    uint32_t value, step, bend, twist;
+    uint32_t value, step, bend, third;
 } cubic_row;
 
 /* The ten points of a cubic: corners 0, 1, 2, then on the edges from 0 to 1, 1 to 2, 2 to 0 at 1/3 and 2/3, then the
  * centroid. */
 #define LATTICE_POINTS 10
+
+/* Three times that is 1 modulo 2^32. */
+#define THIRD_PART 0xaaaaaaabu
 
 /* How many bits more than the values a cubic has. */
 #define CUBIC_FINER 4
@@ -216,42 +219,42 @@ static inline void lattice_cubic(field_cubic *field, const lattice_gradients *gr
     field->xx = xx + xxx;
     field->xy = xy + lattice_mean(xxy + xyy);
     field->yy = yy + yyy;
-    field->xxx = xxx;
+    field->third_xxx = xxx * THIRD_PART;
     field->xxy = xxy;
     field->xyy = xyy;
-    field->yyy = yyy;
+    field->third_yyy = yyy * THIRD_PART;
 }
 
-/* C(n, 2) and, of that, C(n, 3): modulo 2^32 the third part of a multiple of 3 is exact. */
+/* C(n, 2) and, of that, 3 C(n, 3). */
 static inline uint32_t choose_two(uint32_t n)
 {
     return (uint32_t)((int32_t)(n * (n - 1)) >> 1);
 }
 
-static inline uint32_t choose_three(uint32_t two, uint32_t n)
+static inline uint32_t thrice_choose_three(uint32_t two, uint32_t n)
 {
-    return two * (n - 2) * 0xaaaaaaabu;
+    return two * (n - 2);
 }
 
 /* A cubic's column at its centre, from row to row; and the row from a pixel on. */
 typedef struct cubic_column {
-    uint32_t value, down, fall, drop, along, along_down, along_fall, bend, bend_down, twist;
+    uint32_t value, down, fall, drop, along, along_down, along_fall, bend, bend_down, third;
 } cubic_column;
 
 static inline cubic_column cubic_column_at(const field_cubic *field, const lattice_centre *centre, int16_t y)
 {
-    const uint32_t m = (uint32_t)((int32_t)y - centre->y), m2 = choose_two(m);
+    const uint32_t m = (uint32_t)((int32_t)y - centre->y), m2 = choose_two(m), yyy = 3 * field->third_yyy;
     const cubic_column column = {
-        field->value + m * field->y + m2 * field->yy + choose_three(m2, m) * field->yyy,
-        field->y + m * field->yy + m2 * field->yyy,
-        field->yy + m * field->yyy,
-        field->yyy,
+        field->value + m * field->y + m2 * field->yy + thrice_choose_three(m2, m) * field->third_yyy,
+        field->y + m * field->yy + m2 * yyy,
+        field->yy + m * yyy,
+        yyy,
         field->x + m * field->xy + m2 * field->xyy,
         field->xy + m * field->xyy,
         field->xyy,
         field->xx + m * field->xxy,
         field->xxy,
-        field->xxx,
+        field->third_xxx,
     };
     return column;
 }
@@ -268,10 +271,9 @@ static inline void cubic_column_next(cubic_column *column)
 
 static inline cubic_row cubic_column_row(const cubic_column *column, int32_t dx)
 {
-    const uint32_t n = (uint32_t)dx, n2 = choose_two(n);
-    const cubic_row row = {column->value + n * column->along + n2 * column->bend + choose_three(n2, n) * column->twist,
-                           column->along + n * column->bend + n2 * column->twist, column->bend + n * column->twist,
-                           column->twist};
+    const uint32_t n = (uint32_t)dx, n2 = choose_two(n), third = column->third, twist = 3 * third;
+    const cubic_row row = {column->value + n * column->along + n2 * column->bend + thrice_choose_three(n2, n) * third,
+                           column->along + n * column->bend + n2 * twist, column->bend + n * twist, third};
     return row;
 }
 
@@ -285,18 +287,19 @@ static inline void cubic_row_next(cubic_row *row)
 {
     row->value += row->step;
     row->step += row->bend;
-    row->bend += row->twist;
+    row->bend += 3 * row->third;
 }
 
 /* Is the row certainly above a limit at `count` pixels? Its second difference is linear: between its ends the row
  * stays above the lesser end less count^2 / 8 of the greatest one. */
 static inline bool cubic_row_above(const cubic_row *row, uint16_t count, int32_t limit)
 {
-    const uint32_t n = (uint32_t)count - 1, n2 = choose_two(n), n3 = choose_three(n2, n);
+    const uint32_t n = (uint32_t)count - 1, n2 = choose_two(n), twist = 3 * row->third;
     const int32_t first = (int32_t)row->value;
-    const int32_t last = (int32_t)(row->value + n * row->step + n2 * row->bend + n3 * row->twist);
+    const int32_t last =
+        (int32_t)(row->value + n * row->step + n2 * row->bend + thrice_choose_three(n2, n) * row->third);
     const uint32_t bend_first = magnitude32((int32_t)row->bend),
-                   bend_last = magnitude32((int32_t)(row->bend + n * row->twist));
+                   bend_last = magnitude32((int32_t)(row->bend + n * twist));
     const uint32_t bend = bend_first > bend_last ? bend_first : bend_last;
     const int32_t least = (first < last ? first : last) - limit;
     /* n < 2^4 and below 2^23, or n < 2^6 and below 2^19 */
@@ -305,10 +308,10 @@ static inline bool cubic_row_above(const cubic_row *row, uint16_t count, int32_t
 
 static inline void cubic_row_skip(cubic_row *row, uint16_t count)
 {
-    const uint32_t n = count, n2 = choose_two(n);
-    row->value += n * row->step + n2 * row->bend + choose_three(n2, n) * row->twist;
-    row->step += n * row->bend + n2 * row->twist;
-    row->bend += n * row->twist;
+    const uint32_t n = count, n2 = choose_two(n), twist = 3 * row->third;
+    row->value += n * row->step + n2 * row->bend + thrice_choose_three(n2, n) * row->third;
+    row->step += n * row->bend + n2 * twist;
+    row->bend += n * twist;
 }
 
 #endif

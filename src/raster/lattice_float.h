@@ -80,7 +80,7 @@ static inline void lattice_quadratic(field_quadratic *field, const lattice_gradi
 }
 
 typedef struct field_cubic {
-    float value, x, y, xx, xy, yy, xxx, xxy, xyy, yyy;
+    float value, x, y, xx, xy, yy, third_xxx, xxy, xyy, third_yyy;
 } field_cubic;
 
 typedef struct lattice_centre {
@@ -99,7 +99,7 @@ static inline lattice_centre lattice_centre_of(const glint_screen_vertex *const 
 }
 
 typedef struct cubic_row {
-    float value, step, bend, twist;
+    float value, step, bend, third;
 } cubic_row;
 
 #define LATTICE_POINTS 10
@@ -141,21 +141,21 @@ static inline void lattice_cubic(field_cubic *field, const lattice_gradients *gr
     field->xx = xx + xxx;
     field->xy = xy + 0.5f * (xxy + xyy);
     field->yy = yy + yyy;
-    field->xxx = xxx;
+    field->third_xxx = xxx * (1.0f / 3);
     field->xxy = xxy;
     field->xyy = xyy;
-    field->yyy = yyy;
+    field->third_yyy = yyy * (1.0f / 3);
 }
 
 static inline cubic_row field_cubic_at(const field_cubic *field, const lattice_centre *centre, int16_t x, int16_t y)
 {
     const float n = (float)(x - centre->x), m = (float)(y - centre->y);
     const float n2 = 0.5f * n * (n - 1.0f), m2 = 0.5f * m * (m - 1.0f);
-    const float n3 = n2 * (n - 2.0f) * (1.0f / 3), m3 = m2 * (m - 2.0f) * (1.0f / 3);
+    const float n3 = n2 * (n - 2.0f), m3 = m2 * (m - 2.0f), twist = 3.0f * field->third_xxx; /* n3: thrice C(n, 3) */
     const float step = field->x + m * field->xy + m2 * field->xyy, bend = field->xx + m * field->xxy;
-    const cubic_row row = {field->value + m * field->y + m2 * field->yy + m3 * field->yyy + n * step + n2 * bend +
-                               n3 * field->xxx,
-                           step + n * bend + n2 * field->xxx, bend + n * field->xxx, field->xxx};
+    const cubic_row row = {field->value + m * field->y + m2 * field->yy + m3 * field->third_yyy + n * step + n2 * bend +
+                               n3 * field->third_xxx,
+                           step + n * bend + n2 * twist, bend + n * twist, field->third_xxx};
     return row;
 }
 
@@ -186,14 +186,14 @@ static inline void cubic_row_next(cubic_row *row)
 {
     row->value += row->step;
     row->step += row->bend;
-    row->bend += row->twist;
+    row->bend += 3.0f * row->third;
 }
 
 static inline bool cubic_row_above(const cubic_row *row, uint16_t count, float limit)
 {
-    const float n = (float)count - 1.0f, n2 = 0.5f * n * (n - 1.0f), n3 = n2 * (n - 2.0f) * (1.0f / 3);
-    const float last = row->value + n * row->step + n2 * row->bend + n3 * row->twist;
-    const float bend_first = row->bend < 0.0f ? -row->bend : row->bend, at_last = row->bend + n * row->twist;
+    const float n = (float)count - 1.0f, n2 = 0.5f * n * (n - 1.0f), n3 = n2 * (n - 2.0f);
+    const float last = row->value + n * row->step + n2 * row->bend + n3 * row->third;
+    const float bend_first = row->bend < 0.0f ? -row->bend : row->bend, at_last = row->bend + n * 3.0f * row->third;
     const float bend_last = at_last < 0.0f ? -at_last : at_last;
     const float bend = bend_first > bend_last ? bend_first : bend_last;
     const float least = (row->value < last ? row->value : last) - limit;
@@ -202,10 +202,10 @@ static inline bool cubic_row_above(const cubic_row *row, uint16_t count, float l
 
 static inline void cubic_row_skip(cubic_row *row, uint16_t count)
 {
-    const float n = (float)count, n2 = 0.5f * n * (n - 1.0f), n3 = n2 * (n - 2.0f) * (1.0f / 3);
-    row->value += n * row->step + n2 * row->bend + n3 * row->twist;
-    row->step += n * row->bend + n2 * row->twist;
-    row->bend += n * row->twist;
+    const float n = (float)count, n2 = 0.5f * n * (n - 1.0f), n3 = n2 * (n - 2.0f);
+    row->value += n * row->step + n2 * row->bend + n3 * row->third;
+    row->step += n * row->bend + n2 * 3.0f * row->third;
+    row->bend += n * 3.0f * row->third;
 }
 
 #endif

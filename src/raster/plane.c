@@ -40,7 +40,7 @@ void glint_plane_set_up(glint_plane *plane, const glint_gradients *gradients, in
 
 int32_t glint_plane_weigh(const int32_t weight_q30[2], int32_t v0, int32_t v1, int32_t v2)
 {
-    const int64_t way = ((int64_t)weight_q30[0] * (v1 - v0) + (int64_t)weight_q30[1] * (v2 - v0)) >> 30;
+    const int64_t way = (multiply_wide_s32(weight_q30[0], v1 - v0) + multiply_wide_s32(weight_q30[1], v2 - v0)) >> 30;
     GLINT_TRACE("sliver way", way);
     return v0 + (int32_t)way;
 }

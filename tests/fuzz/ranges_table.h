@@ -60,7 +60,7 @@ static const documented_range documented[] = {
     {"ray through a vertex", S32, BELOW(TWO(30)), "raster/attribute_fixed.h"},
     {"folded steps q29", S32, BELOW(TWO(30)), "lighting/light_fixed.h"},
     {"gap at a lattice point", S32, BELOW(TWO(26) + 1), "lighting/gloss_fixed.h"},
-    {"inverse square at a lattice point", S32, BELOW(TWO(26)), "lighting/gloss_fixed.h"},
+    {"part of a square at a lattice point", S32, BELOW(TWO(30)), "lighting/gloss_fixed.h"},
     {"value at a lattice point", S32, BELOW(TWO(30)), "raster/lattice_fixed.h"},
     {"placement fraction", S16, INT16_MIN, INT16_MAX, "its type"},
     {"light position", S32, BELOW(TWO(30)), "geometry/view.h"},

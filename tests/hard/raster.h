@@ -39,7 +39,8 @@ static inline void raster_free(raster *r)
 static inline long raster_add(raster *r, const glint_point corner[3])
 {
     const int64_t area = glint_signed_area(corner);
-    const glint_box box = glint_bounding_box(corner, (uint16_t)r->width, (uint16_t)r->height);
+    glint_box box;
+    glint_bounding_box(&box, corner, (uint16_t)r->width, (uint16_t)r->height);
     glint_edges edges;
     glint_spans spans;
     int16_t y, first, last;

@@ -365,7 +365,8 @@ static uint64_t spans_of(const glint_point corner[3])
     glint_spans spans;
     int16_t y, first, last;
     const int64_t area = glint_signed_area(corner);
-    const glint_box box = glint_bounding_box(corner, 8, 8);
+    glint_box box;
+    glint_bounding_box(&box, corner, 8, 8);
     if (area == 0 || box.x_first > box.x_last || box.y_first > box.y_last) {
         return 0;
     }

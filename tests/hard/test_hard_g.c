@@ -73,9 +73,10 @@ static void test_G1_not_finite_in_a_vertex(void **state)
             float *const row = k / 3 == 0 ? object.transform.x : k / 3 == 1 ? object.transform.y : object.transform.z;
             row[k % 3 == 2 ? 3 : k % 3] = bad[i];
             for (uint16_t t = 0; t < 2; t++) {
-                const triangle_extent extent = {fate_of(&drawn, &object, t), false, 0, 0};
-                triangle_count(&drawn.report, &extent);
-                assert_int_equal(extent.fate, TRIANGLE_REFUSED);
+                const triangle_extent extent = {false, 0, 0};
+                const enum triangle_fate fate = fate_of(&drawn, &object, t);
+                triangle_count(&drawn.report, fate, &extent);
+                assert_int_equal(fate, TRIANGLE_REFUSED);
                 refused++;
             }
             assert_int_equal(drawn.report.triangles_refused, 2);

@@ -60,13 +60,13 @@ static void check_object(frame_state *state, const object_state *object)
     for (uint16_t t = 0; t < object->mesh->triangle_count; t++) {
         triangle_corners corners;
         corner polygon[CLIP_MOST];
-        enum triangle_fate fate;
+        triangle_extent extent;
         real attribute[3][3] = {{0}};
-        if (do_triangle(state, object, t, false).fate != TRIANGLE_DRAWN) {
+        if (do_triangle(state, object, t, false, &extent) != TRIANGLE_DRAWN) {
             continue;
         }
         triangle_fetch(state, object, t, &corners);
-        if (!needs_clipping(corners.screen, &fate)) {
+        if (!extent.clipped) {
             check_triangle(state, object, corners.screen);
             continue;
         }
@@ -106,6 +106,7 @@ static void check_frame(const glint_scene *source, uint16_t width, uint16_t heig
 static void check_scene(const glint_scene *scene, uint16_t width, uint16_t height, int backend)
 {
     frame_state state;
+    static shade_state shade;
     object_state *objects = calloc(scene->object_count, sizeof *objects);
     light_state *lights = calloc((size_t)scene->object_count * scene->light_count + 1, sizeof *lights);
     light_reach *reaches = calloc((size_t)scene->object_count * scene->light_count + 1, sizeof *reaches);
@@ -118,6 +119,7 @@ static void check_scene(const glint_scene *scene, uint16_t width, uint16_t heigh
     frame_width = width;
     glint_view_set_up(&state.view, scene->camera, width, height);
     state.objects = objects;
+    state.shade = &shade;
     state.object_count = scene->object_count;
     prepare_objects(&state, scene, objects, lights, reaches, scene->light_count, NULL, NULL, false);
     for (uint16_t i = 0; i < scene->object_count; i++) {

@@ -14,7 +14,9 @@
 #define ONE_Q20 1048576.0L
 #define ONE_Q28 268435456.0L
 #define TURN_OF_ROUNDING 2.5e-4L /* radians that rounding moves two directions apart, as bound.h states */
-#define PEAK 32640               /* 255 codes */
+#define TURN_OF_UNITS 3.2e-4L    /* test_units_fixed */
+#define TURN_OF_PLANES 4e-5L
+#define PEAK 32640           /* 255 codes */
 #define LEAST_EXPONENT_Q4 16 /* below 1, cos^a has no slope at a right angle: the tiers leave that to the exact one */
 #define MOST_EXPONENT_Q4 (GLINT_MAX_EXPONENT * 16)
 
@@ -57,18 +59,29 @@ static void a_left_out_highlight_is_faint(void **state)
     expect_at_most("the angle taken for it, over the least", widest, 1.15L);
 }
 
-static void the_least_angle_is_one(void **state)
+/* The greatest angle that glint_bound_is_beyond() takes for less than a gap's, Q15; -1 for none. */
+static int32_t greatest_below(uint32_t gap_q15)
+{
+    int32_t below = -1;
+    for (int32_t step = 1 << 17; step > 0; step /= 2) {
+        below += glint_bound_is_beyond(gap_q15, (uint32_t)(below + step)) ? step : 0;
+    }
+    return below;
+}
+
+static void an_angle_beyond_another_is_beyond_it(void **state)
 {
     long double worst = 0, loosest = 0;
     (void)state;
     for (uint32_t gap_q15 = 0; gap_q15 <= 65536; gap_q15++) {
-        const long double angle = acosl(1 - fminl(gap_q15 / ONE_Q15, 2)),
-                          least = glint_bound_angle_least_q15(gap_q15) / ONE_Q15;
+        const long double angle = acosl(1 - fminl(gap_q15 / ONE_Q15, 2)), least = greatest_below(gap_q15) / ONE_Q15;
         worst = worse(worst, least - angle);
         loosest = worse(loosest, sqrtl(2 * fminl(gap_q15, 65535) / ONE_Q15) - least);
+        assert_false(glint_bound_is_beyond(gap_q15, GLINT_FAR_Q15));
+        assert_false(glint_bound_is_beyond(gap_q15, UINT32_MAX));
     }
-    expect_at_most("the least angle of a gap beyond the angle", worst * ONE_Q15, 0);
-    expect_at_most("the least angle below sqrt(2 gap), ulp of Q15", loosest * ONE_Q15, 5);
+    expect_at_most("an angle taken for less than a gap's, beyond that", worst * ONE_Q15, 0);
+    expect_at_most("the greatest such angle below sqrt(2 gap), ulp of Q15", loosest * ONE_Q15, 1);
 }
 
 static long double dot3(const long double a[3], const long double b[3])
@@ -163,13 +176,16 @@ static void a_normal_is_no_shorter(void **state)
 
 static void a_turn_changes_no_more(void **state)
 {
-    long double turned = 0, gloss = 0, loose = 0;
+    long double turned = 0, gloss = 0, loose = 0, precise = -1e9L, fine = -1e9L;
     (void)state;
     for (uint32_t exponent_q4 = LEAST_EXPONENT_Q4; exponent_q4 <= MOST_EXPONENT_Q4; exponent_q4++) {
         for (uint32_t peak = 1; peak <= 65280; peak = peak * 3 + 1) {
             const long double slope = peak * steepest(exponent_q4 / 16.0L);
             turned = worse(turned, 2 * slope / glint_bound_turned(peak, (uint16_t)exponent_q4));
             gloss = worse(gloss, slope * TURN_OF_ROUNDING - glint_bound_gloss(peak, (uint16_t)exponent_q4));
+            precise = worse(precise, slope * TURN_OF_UNITS - glint_bound_precise(peak, (uint16_t)exponent_q4, 0));
+            fine = worse(fine, slope * TURN_OF_PLANES + peak * exponent_q4 / 16.0L * ldexpl(1, -23) -
+                                   glint_bound_fine(peak, (uint16_t)exponent_q4, 0));
             if (peak > 10000) {
                 loose = worse(loose, glint_bound_turned(peak, (uint16_t)exponent_q4) / (2 * slope));
             }
@@ -178,6 +194,8 @@ static void a_turn_changes_no_more(void **state)
     expect_at_most("change of a highlight by a turn, over its bound", turned, 1);
     expect_at_most("the bound over the change", loose, 1.5L);
     expect_at_most("a specular term's rounding above its bound, 1/256 code", gloss, 0);
+    expect_at_most("the same along rows", precise, 0);
+    expect_at_most("the same with finer vectors", fine, 0);
 }
 
 static void the_table_of_factors_errs_by_less(void **state)
@@ -408,7 +426,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         numeric_test(a_left_out_highlight_is_faint),
-        numeric_test(the_least_angle_is_one),
+        numeric_test(an_angle_beyond_another_is_beyond_it),
         numeric_test(no_point_is_farther_from_its_nearest_corner),
         numeric_test(a_normal_is_no_shorter),
         numeric_test(a_turn_changes_no_more),

@@ -38,15 +38,24 @@
 #define CUBIC_REACH 255
 #define CUBIC_APART (1 << 15) /* a sixth is rounded to 16 bits, so third differences do not come to more than 2^18 */
 #define GAP_VALUE_MOST 67108864.0L
-#define GAP_VALUE_ONE(down) (9 * exp2l(25 - (down)))
+#define GAP_VALUE_ONE(down) exp2l(28 - (down))
 #define CUBIC_UNIT(down) (1 / (GAP_VALUE_ONE(down) * CUBIC_UP))
 #define GAP_CUT(down) ((down) > 0 ? 0.5L / GAP_VALUE_ONE(down) : 0) /* what the bits that are dropped cost */
 #define GAP_VALUE_ERROR exp2l(-23)
-#define INVERSE_SQUARE_ONE (33554432 * 8 / 9.0L)
+#define OVER_M_ONE 16384
+#define PART_ONE 32768
+#define over_m over_m_q14 /* the member of gloss_inverse, and the next */
+#define part part_q15
+#define PART_OF(x) ((uint32_t)((x)*32768) + 1)
+#define GAP_VALUE_SCALE 4e-5L
 #define INVERSE_SQUARE_ERROR 1e-4L
-#define GAP_END_ERROR (1.04L * exp2l(-15)) /* half of a limit's 15 to 16 bits, over |M|^2 from 1/2 on */
-#define GAP_ERROR 3.5e-5L                  /* the inverse's 15 bits, from 8/9 on */
-#define GAP_OF(value, inverse, scale) gap_q28_of(gap_part_of((uint32_t)(value), scale), (uint32_t)(inverse), scale)
+/* Half of the 15 to 16 bits of a limit, over the least x/m, and half a place in 256 cells. */
+#define GAP_END_ERROR(part) ((0.8L + 1.6L * (part)) * exp2l(-15))
+#define GAP_ERROR 7e-5L /* 15 bits of m/x, and of g, from 3/4 on */
+#define GAP_WITHIN(value, scale) gap_within((uint32_t)(value), scale)
+#define GAP_PLACE(value, inverse, scale)                                                                               \
+    gap_place_of(gap_part_of((uint32_t)(value), scale), (gap_factor)rintl((inverse)*32768), scale)
+#define GAP_INVERSE(g, inverse) (gap_inverse((uint32_t)rintl(g), &(inverse)->rest) / 32768.0L)
 
 #define ROW_UNIT 1
 #define ROW_SLACK 0
@@ -81,22 +90,27 @@ static inline long double corner_ray(const gloss_corners *corners, int i, int k)
     return corners->ray[i][k] / 16384.0L;
 }
 
+static inline long double corner_m(const gloss_corners *corners, int i, int k)
+{
+    return (long double)corners->normal[i][k] * corners->weight_q15[i] / 32768 / UNIT_ONE;
+}
+
 /* M at a point that is so many thirds of each corner. */
 static inline void gloss_m(const gloss_corners *corners, const uint8_t point[3], long double m[3])
 {
     for (int k = 0; k < 3; k++) {
         m[k] = 0;
         for (int i = 0; i < 3; i++) {
-            m[k] += point[i] / 3.0L * corners->normal[i][k] * corners->weight_q15[i] / 32768 / UNIT_ONE;
+            m[k] += point[i] / 3.0L * corner_m(corners, i, k);
         }
     }
 }
 
-/* What gloss_values() may have dropped of values up to 9 gap. */
+/* What gloss_values() may have dropped of values up to 4/3 gap. */
 static inline int random_down(long double gap)
 {
     int down = 0;
-    while (9 * gap * exp2l(25 - down) >= GAP_VALUE_MOST) {
+    while (4 / 3.0L * gap * GAP_VALUE_ONE(down) >= GAP_VALUE_MOST) {
         down++;
     }
     return down < 4 ? random_between(down, 4) : 4;
@@ -106,7 +120,7 @@ static inline int random_down(long double gap)
 static inline bool bend_is_counted(const cubic_row *row, uint16_t count)
 {
     const uint32_t first = magnitude32((int32_t)row->bend),
-                   last = magnitude32((int32_t)(row->bend + (count - 1u) * row->twist));
+                   last = magnitude32((int32_t)(row->bend + (count - 1u) * 3 * row->third));
     return (first | last) >> (count <= 16 ? 23 : 19) == 0;
 }
 

@@ -41,11 +41,16 @@
 #define CUBIC_UNIT(down) (0.0L * (down))
 #define GAP_CUT(down) (0 * (down))
 #define GAP_VALUE_ERROR 1e-6L /* some ten roundings of numbers up to 4 */
-#define INVERSE_SQUARE_ONE 1.0L
-#define INVERSE_SQUARE_ERROR 6e-7L /* twice the root's 1e-7, and the sum before it */
-#define GAP_END_ERROR 0
-#define GAP_ERROR 2e-7L /* two roundings, and the value's and the inverse's own */
-#define GAP_OF(value, inverse, scale) gap_q28_of(gap_part_of(value, scale), inverse, scale)
+#define OVER_M_ONE 1
+#define PART_ONE 1
+#define PART_OF(x) ((float)(x) + 1e-7f)
+#define GAP_VALUE_SCALE 0
+#define INVERSE_SQUARE_ERROR 6e-7L                    /* twice the root's 1e-7, and the sum before it */
+#define GAP_END_ERROR(part) (exp2l(-17) + 0 * (part)) /* half a place in 256 cells */
+#define GAP_ERROR 4e-7L                               /* roundings, and the value's and the inverse's own */
+#define GAP_WITHIN(value, scale) gap_within(value, scale)
+#define GAP_PLACE(value, inverse, scale) gap_place_of(gap_part_of(value, scale), (float)(inverse), scale)
+#define GAP_INVERSE(g, inverse) ((long double)gap_inverse((float)(g), &(inverse)->rest))
 
 #define ROW_UNIT ldexpl(1, -26)
 #define ROW_SLACK 1e-5L
@@ -81,6 +86,11 @@ static inline void set_ray_fraction(pixel_rays *rays)
 static inline long double corner_ray(const gloss_corners *corners, int i, int k)
 {
     return (long double)corners->ray[i][k];
+}
+
+static inline long double corner_m(const gloss_corners *corners, int i, int k)
+{
+    return (long double)corners->normal[i][k];
 }
 
 /* M at a point that is so many thirds of each corner. */

@@ -134,7 +134,7 @@ static inline long double exact_gap(const gloss_case *c, const uint8_t point[3],
 }
 
 typedef struct gloss_worst {
-    long double value, inverse, view_low, view_high;
+    long double value, inverse, inverse_used, view_low, view_high;
     long cases;
 } gloss_worst;
 
@@ -169,6 +169,33 @@ static inline void check_view(const gloss_case *c, gloss_worst *worst)
     worst->view_high = worse(worst->view_high, (got - 8) / (edge / least * 65536 + 1));
 }
 
+/* m/x by the polynomial through what the library has at the corners and in the middles of the edges, at points all over
+ * the triangle: within what it says, and what is counted for rounding. */
+static inline void check_inverse(const gloss_case *c, const gloss_inverse *inverse, gloss_worst *worst)
+{
+    enum { GRID = 12 };
+    const long double over_m = (long double)inverse->over_m / OVER_M_ONE, part = (long double)inverse->part / PART_ONE;
+    long double most = 0;
+    for (int i = 0; i <= GRID; i++) {
+        for (int j = 0; j <= GRID - i; j++) {
+            const long double b[3] = {(long double)i / GRID, (long double)j / GRID, (long double)(GRID - i - j) / GRID};
+            long double m[3];
+            for (int k = 0; k < 3; k++) {
+                m[k] = 0;
+                for (int n = 0; n < 3; n++) {
+                    m[k] += b[n] * corner_m(&c->corners, n, k);
+                }
+            }
+            const long double square = dot3(m, m) * over_m;
+            assert_true(fabsl(1 - square) <= part + 1e-4L);
+            const long double g = quadratic_at(inverse->corner, inverse->middle, b);
+            most = worse(most, fabsl(GAP_INVERSE(g, inverse) * square - 1));
+        }
+    }
+    worst->inverse = worse(worst->inverse, most - inverse->error_q22 / 4194304.0L);
+    worst->inverse_used = worse(worst->inverse_used, (most - INVERSE_SQUARE_ERROR) / (inverse->error_q22 / 4194304.0L));
+}
+
 static inline void gaps_at_points_are_of_the_geometry(void **state)
 {
     gloss_worst worst;
@@ -177,25 +204,31 @@ static inline void gaps_at_points_are_of_the_geometry(void **state)
     worst.view_low = -65536;
     for (int round = 0; round < ROUNDS; round++) {
         gloss_case c;
-        gap_value value[LATTICE_POINTS], inverse[LATTICE_POINTS];
-        if (!random_gloss(&c, ORDINARY_PX)) {
+        gap_value value[LATTICE_POINTS];
+        gloss_inverse inverse;
+        gloss_points points;
+        if (!random_gloss(&c, ORDINARY_PX) || !gloss_inverse_square(&inverse, &c.corners)) {
             continue;
         }
-        const int down = gloss_values(&c.corners, c.towards, value);
-        gloss_inverse_squares(&c.corners, inverse);
+        gloss_points_of(&points, &c.corners);
+        const int down = gloss_values(&c.corners, &points, &inverse, c.towards, value);
+        const long double over_m = (long double)inverse.over_m / OVER_M_ONE;
         worst.cases++;
         for (int i = 0; i < LATTICE_POINTS; i++) {
             long double square;
-            const long double gap = exact_gap(&c, gloss_point[i], &square);
+            const long double gap = exact_gap(&c, gloss_point[i], &square) * over_m;
             assert_true(fabsl((long double)value[i]) < GAP_VALUE_MOST);
-            worst.value = worse(worst.value, fabsl((long double)value[i] / GAP_VALUE_ONE(down) - gap) - GAP_CUT(down));
-            worst.inverse = worse(worst.inverse, fabsl((long double)inverse[i] / INVERSE_SQUARE_ONE * square - 1));
+            const long double error = fabsl((long double)value[i] / GAP_VALUE_ONE(down) - gap);
+            worst.value = worse(worst.value, error - GAP_CUT(down) - fabsl(gap) * GAP_VALUE_SCALE);
         }
+        check_inverse(&c, &inverse, &worst);
         check_view(&c, &worst);
     }
     assert_true(worst.cases > ROUNDS / 4);
     expect_at_most("|M|^2 times a gap at a point", worst.value, GAP_VALUE_ERROR);
-    expect_bound("1/|M|^2 at a point, relative", worst.inverse, INVERSE_SQUARE_ERROR);
+    expect_at_most("1/|M|^2, relative, beyond what its curve is off", worst.inverse, INVERSE_SQUARE_ERROR);
+    expect_at_most("without rounding, over what it is off", worst.inverse_used, 1);
+    assert_true(worst.inverse_used > 0.5L);
     expect_at_most("turn of the rays beyond its bound, units of Q16", worst.view_low, 0);
     expect_at_most("the bound less 8 units over that turn", worst.view_high, 1.15L);
 }
@@ -267,28 +300,24 @@ static inline void expect_cubics(const cubic_worst *worst)
     }
 }
 
-/* Of a light's gap and of 1/|M|^2, as the tier of curves has them. */
+/* Of a light's gap, as the tier of curves has it. */
 static inline void cubics_of_highlights_keep_their_bound(void **state)
 {
-    cubic_worst gap, inverse;
+    cubic_worst gap;
     (void)state;
     memset(&gap, 0, sizeof gap);
-    memset(&inverse, 0, sizeof inverse);
     for (int round = 0; round < 2 * ROUNDS; round++) {
         gloss_case c;
         gap_value value[LATTICE_POINTS];
-        if (!random_gloss(&c, ORDINARY_PX)) {
-            continue;
+        gloss_inverse inverse;
+        gloss_points points;
+        if (random_gloss(&c, ORDINARY_PX) && gloss_inverse_square(&inverse, &c.corners)) {
+            gloss_points_of(&points, &c.corners);
+            (void)gloss_values(&c.corners, &points, &inverse, c.towards, value);
+            check_cubic(&c.t, value, &gap);
         }
-        (void)gloss_values(&c.corners, c.towards, value);
-        check_cubic(&c.t, value, &gap);
-        gloss_inverse_squares(&c.corners, value);
-        check_cubic(&c.t, value, &inverse);
     }
-    print_message("    |M|^2 times a gap\n");
     expect_cubics(&gap);
-    print_message("    1/|M|^2\n");
-    expect_cubics(&inverse);
 }
 
 /* Of any values: what their coefficients leave room for. */
@@ -321,7 +350,7 @@ static inline void rows_above_a_limit_are(void **state)
         ROW_SET(row.value, 8 * size * (random_unit() - 0.3L));
         ROW_SET(row.step, 16 * size * (random_unit() - 0.5L) / n);
         ROW_SET(row.bend, 32 * size * (random_unit() - 0.5L) / (n * n));
-        ROW_SET(row.twist, 64 * size * (random_unit() - 0.5L) / (n * n * n));
+        ROW_SET(row.third, 64 / 3.0L * size * (random_unit() - 0.5L) / (n * n * n));
         const gap_value limit = (gap_value)(size * (random_unit() - 0.5L));
         long double least = FIELD_VALUE(row.value), most = least;
         cubic_row at = row;
@@ -341,36 +370,40 @@ static inline void rows_above_a_limit_are(void **state)
     assert_int_equal(missed, 0);
 }
 
-/* The gap from values of the two cubics. */
-static inline void gaps_are_products_of_the_cubics(void **state)
+/* The place in the table from values of the two polynomials. */
+static inline void places_are_products_of_the_polynomials(void **state)
 {
     long double worst = 0;
-    long beyond = 0;
+    long beyond = 0, within = 0;
     (void)state;
     for (int round = 0; round < 1000000; round++) {
-        const uint32_t end_q28 = (uint32_t)exp2l(12 + 16 * random_unit());
-        const long double square = 0.5L + 0.5L * random_unit(), end = end_q28 / 268435456.0L;
-        const long double gap = end * 1.5L * (round & 1 ? random_unit() : powl(random_unit(), 4));
+        const uint8_t bits = (uint8_t)random_between(0, 19);
+        const uint16_t cells = (uint16_t)random_between(bits == 0 ? 1 : GLINT_GLOSS_CELLS / 2, GLINT_GLOSS_CELLS);
+        const long double part = random_unit() / 3, square = 1 + part * (2 * random_unit() - 1);
+        const long double end = ldexpl(cells, bits - 28), gap = end * 1.5L * powl(random_unit(), round & 1 ? 1 : 4);
         const int down = random_down(gap);
-        const gap_scale scale = gap_scale_of(end_q28, down);
-        const gap_value value = (gap_value)(square * gap * GAP_VALUE_ONE(down) * CUBIC_UP),
-                        inverse = (gap_value)(INVERSE_SQUARE_ONE * CUBIC_UP / square);
-        const uint32_t got = GAP_OF(value, inverse, &scale);
-        if (got == UINT32_MAX) {
+        const gloss_inverse inverse = {.part = PART_OF(part)};
+        const gap_scale scale = gap_scale_of(cells, bits, down, &inverse);
+        const long double value = square * gap * GAP_VALUE_ONE(down) * CUBIC_UP + (long double)scale.half;
+        const gap_value at = (gap_value)value;
+        assert_true(value < 1073741824.0L + 536870912.0L);
+        if (!GAP_WITHIN(at, &scale)) {
             beyond++;
             assert_true(gap > end); /* where the factor is 0 */
             continue;
         }
-        const long double error = fabsl(got / 268435456.0L - gap) - CUBIC_UNIT(down) / square;
-        worst = worse(worst, error / (end * GAP_END_ERROR + gap * GAP_ERROR + exp2l(-28)));
+        within++;
+        const long double got = ldexpl(GAP_PLACE(at, 1 / square, &scale), bits - GAP_BITS - 28);
+        const long double error = fabsl(got - gap) - CUBIC_UNIT(down) / square;
+        worst = worse(worst, error / (end * GAP_END_ERROR(part) + gap * GAP_ERROR + exp2l(-28)));
     }
-    assert_true(beyond > 10000);
-    expect_bound("a gap from values of the cubics, over its bound", worst, 1);
+    assert_true(beyond > 10000 && within > 100000);
+    expect_bound("a place in the table from values of the polynomials, over its bound", worst, 1);
 }
 
 #define GAP_TESTS                                                                                                      \
     numeric_test(gaps_at_points_are_of_the_geometry), numeric_test(cubics_of_highlights_keep_their_bound),             \
         numeric_test(cubics_of_any_values_keep_it), numeric_test(rows_above_a_limit_are),                              \
-        numeric_test(gaps_are_products_of_the_cubics)
+        numeric_test(places_are_products_of_the_polynomials)
 
 #endif

@@ -16,6 +16,7 @@
 
 #include <math.h>
 
+#include "display/pack.h"
 #include "examples/scenes/scenes.h"
 
 /* The background and nothing else. */
@@ -398,6 +399,35 @@ static void test_left_over_half_byte(void **state)
     }
 }
 
+/* Clears by words, whole or row by row: each pixel of each width is written, and nothing between or behind rows. */
+static void test_clears_write_what_they_should(void **state)
+{
+    (void)state;
+    const glint_shade shade = {20000, 9000, 31000};
+    for (int n = 0; n < 80 * 6 * 3; n++) {
+        const uint16_t width = (uint16_t)(n % 80 + 1), rows = (uint16_t)(n / 80 % 6 + 1);
+        const uint32_t stride = (uint32_t)width * 2 + (uint32_t)(n / 480) * 2;
+        uint32_t words[6 * 84 / 2 + 1];
+        uint16_t *const pixels = (uint16_t *)(void *)words;
+        const glint_target target = {.pixels = (uint8_t *)words, .stride_bytes = stride, .format = GLINT_RGB565};
+        memset(words, FRAME_CANARY_BYTE, sizeof words);
+        glint_pack_clear(&target, width, rows, &shade);
+        for (uint32_t i = 0; i < sizeof words / 2; i++) {
+            const bool inside = i / (stride / 2) < rows && i % (stride / 2) < width;
+            assert_int_equal(pixels[i],
+                             inside ? glint_pack_pixel(&target, &shade) : FRAME_CANARY_BYTE << 8 | FRAME_CANARY_BYTE);
+        }
+    }
+    for (uint32_t count = 0; count < 100; count++) {
+        uint32_t words[101];
+        memset(words, FRAME_CANARY_BYTE, sizeof words);
+        glint_fill_words(words, 0x12345678, count);
+        for (uint32_t i = 0; i < 101; i++) {
+            assert_true(words[i] == (i < count ? 0x12345678 : FRAME_CANARY_BYTE * 0x01010101u));
+        }
+    }
+}
+
 static void test_row_bytes(void **state)
 {
     (void)state;
@@ -428,6 +458,7 @@ int main(void)
         cmocka_unit_test(test_formats_show_the_same_picture),
         cmocka_unit_test(test_stride_leaves_gaps),
         cmocka_unit_test(test_left_over_half_byte),
+        cmocka_unit_test(test_clears_write_what_they_should),
         cmocka_unit_test(test_row_bytes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -65,7 +65,8 @@ static long draw_rows(const glint_edges *edges, int y_first, int y_last, picture
 static bool set_up(glint_edges *edges, const glint_point corner[3], int width, int height)
 {
     const int64_t area = glint_signed_area(corner);
-    const glint_box box = glint_bounding_box(corner, (uint16_t)width, (uint16_t)height);
+    glint_box box;
+    glint_bounding_box(&box, corner, (uint16_t)width, (uint16_t)height);
     if (area == 0 || box.x_first > box.x_last || box.y_first > box.y_last) {
         return false;
     }
@@ -344,7 +345,8 @@ static void boxes_hold_the_centres_in_the_bounds(void **state)
             corner[i].x = xy[0][i] = random_coordinate(size[0], round % 5);
             corner[i].y = xy[1][i] = random_coordinate(size[1], round / 5 % 5);
         }
-        const glint_box box = glint_bounding_box(corner, (uint16_t)size[0], (uint16_t)size[1]);
+        glint_box box;
+        glint_bounding_box(&box, corner, (uint16_t)size[0], (uint16_t)size[1]);
         const int16_t first[2] = {box.x_first, box.y_first}, last[2] = {box.x_last, box.y_last};
         for (int axis = 0; axis < 2; axis++) {
             int32_t low = xy[axis][0], high = low;

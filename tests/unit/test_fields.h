@@ -53,7 +53,8 @@ static inline bool random_field(field_triangle *t, int size_px, long double bend
         snapped[i] = glint_snap(v);
     }
     const int64_t area = glint_signed_area(snapped);
-    const glint_box box = glint_bounding_box(snapped, (uint16_t)size_px, (uint16_t)size_px);
+    glint_box box;
+    glint_bounding_box(&box, snapped, (uint16_t)size_px, (uint16_t)size_px);
     if (area == 0 || box.x_first > box.x_last || box.y_first > box.y_last) {
         return false;
     }

@@ -35,7 +35,7 @@ static void random_ray(pixel_rays *rays, long double exact[3], int16_t x, int16_
     /* a forward component of 1: 20 to 29 bits, and what lies beside it, below 2^30 */
     const int bits = random_between(20, 29), forward = random_between(0, 2);
     const int32_t beside = (int32_t)exp2l(bits - 9 + 9 * random_unit());
-    rays->fraction = (int16_t)bits;
+    rays->fraction = (int8_t)bits;
     for (int k = 0; k < 3; k++) {
         const bool along = k == forward;
         rays->v[0][k] = along ? (int32_t)1 << bits : random_between(-beside, beside) / 2;

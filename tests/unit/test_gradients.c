@@ -61,7 +61,8 @@ static bool random_triangle(triangle *t, int width, int height, bool steep)
         }
     }
     const int64_t area = glint_signed_area(snapped);
-    const glint_box box = glint_bounding_box(snapped, (uint16_t)width, (uint16_t)height);
+    glint_box box;
+    glint_bounding_box(&box, snapped, (uint16_t)width, (uint16_t)height);
     if (area == 0 || box.x_first > box.x_last || box.y_first > box.y_last) {
         return false;
     }

@@ -90,6 +90,8 @@ static void narrow_products_equal_wide_ones_for(uint32_t a, uint32_t b)
         multiply_high_narrow_s32((int32_t)a, (int32_t)b) != signed_high ||
         multiply_high_s32((int32_t)a, (int32_t)b) != signed_high || glint_multiply_high_u32(a, b) != high ||
         glint_multiply_high_s32((int32_t)a, (int32_t)b) != signed_high ||
+        multiply_wide_narrow_s32((int32_t)a, (int32_t)b) != (int64_t)(int32_t)a * (int32_t)b ||
+        multiply_wide_s32((int32_t)a, (int32_t)b) != (int64_t)(int32_t)a * (int32_t)b ||
         multiply_q16((int32_t)a, sixteen) != (int32_t)(((int64_t)(int32_t)a * sixteen) >> 16)) {
         fail_msg("a product of %08x and %08x", a, b);
     }

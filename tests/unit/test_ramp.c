@@ -4,6 +4,9 @@
  */
 #include "tests/unit/numeric.h"
 
+#include <string.h>
+
+#include <glint/display.h>
 #include <glint/scene.h>
 
 #include "lighting/ramp.h"
@@ -263,12 +266,35 @@ static void entries_rise_and_stop_at_1(void **state)
     }
 }
 
+/* The ramp in the display's format is the packed colours, entry by entry, and nothing behind it is touched. */
+static void pixels_of_a_ramp_are_its_colours(void **state)
+{
+    (void)state;
+    for (int round = 0; round < 3000; round++) {
+        ramp_case c;
+        const glint_target target = {.format = round & 1 ? GLINT_RGB565 : GLINT_RGB565_SWAPPED,
+                                     .dither = GLINT_DITHER_NONE};
+        uint16_t pixel[GLINT_RAMP_ENTRIES + 1];
+        random_ramp(&c, round);
+        if (!c.ramp.usable) {
+            continue;
+        }
+        memset(pixel, 0xa5, sizeof pixel);
+        glint_pack_steps(&target, c.ramp.base_q27, c.ramp.step_q27, pixel, GLINT_RAMP_ENTRIES);
+        for (uint32_t index = 0; index < GLINT_RAMP_ENTRIES; index++) {
+            const glint_shade shade = glint_ramp_colour(&c.ramp, index);
+            assert_int_equal(pixel[index], glint_pack_pixel(&target, &shade));
+        }
+        assert_int_equal(pixel[GLINT_RAMP_ENTRIES], 0xa5a5);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         numeric_test(colours_err_by_what_is_stated), numeric_test(shares_fill_the_ramp),
         numeric_test(usable_for_one_chromaticity),   numeric_test(a_black_light_changes_nothing),
-        numeric_test(entries_rise_and_stop_at_1),
+        numeric_test(entries_rise_and_stop_at_1),    numeric_test(pixels_of_a_ramp_are_its_colours),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -84,8 +84,12 @@ static void a_cubic_errs_the_more_the_longer_it_is(void **state)
         for (int up = 0; up <= 8; up++) {
             uint32_t before = 0;
             for (uint32_t reach = 0; reach <= 4096; reach++) {
-                const glint_cubic_size size = {
-                    .view_q16 = 3000, .reach = reach, .end_q28 = 1 << 20, .up = up, .down = down};
+                const glint_cubic_size size = {.together = UINT32_MAX,
+                                               .view_q16 = 3000,
+                                               .reach = reach,
+                                               .end_q28 = 1 << 20,
+                                               .up = up,
+                                               .down = down};
                 const uint32_t error = glint_bound_cubic(&size, 1 << 20, PEAK, 20000);
                 assert_true(error >= before);
                 bounded += error != UINT32_MAX;

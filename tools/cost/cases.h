@@ -36,8 +36,11 @@ extern const uint16_t cost_case_count;
 /* The case's scene: `data`, with `lights` in place of its own if there are any. */
 glint_scene cost_scene(const cost_case *c);
 
-/* Working memory that frame `c` in `format` can make use of: every vertex transformed once, every triangle sorted; with
- * a tolerance, each object's ramp of pixels. */
+/* Working memory for frame `c` in `format`: every vertex transformed once, every triangle sorted. */
+size_t cost_frame_full_bytes(const cost_case *c, int backend, uint8_t format);
+
+/* What it can make use of: besides, in bands, what is set up of triangles kept; with a tolerance, each object's tables.
+ */
 size_t cost_frame_bytes(const cost_case *c, int backend, uint8_t format);
 
 /* What it cannot be drawn without. */

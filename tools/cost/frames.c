@@ -40,15 +40,34 @@ static glint_display display_of(const cost_case *c, uint8_t format)
     return display;
 }
 
-size_t cost_frame_bytes(const cost_case *c, int backend, uint8_t format)
+/* Room for the triangles that reach from band to band: the square root of how many there are, rounded up. */
+static size_t kept_bytes(const glint_scene *scene)
+{
+    uint32_t triangles = 0, root = 0;
+    for (uint16_t i = 0; i < scene->object_count; i++) {
+        triangles += scene->objects[i].mesh->triangle_count;
+    }
+    while (root * root < triangles) {
+        root++;
+    }
+    return root * GLINT_KEPT_WORDS * sizeof(uint32_t);
+}
+
+size_t cost_frame_full_bytes(const cost_case *c, int backend, uint8_t format)
 {
     const glint_scene scene = cost_scene(c);
     const glint_display display = display_of(c, format);
-    const size_t ramps =
+    return backend == COST_FIXED ? glint_fixed_memory_bytes(&scene, &display) : FLOAT_MEMORY_BYTES(&scene, &display);
+}
+
+size_t cost_frame_bytes(const cost_case *c, int backend, uint8_t format)
+{
+    const glint_scene scene = cost_scene(c);
+    const size_t tables =
         c->quality.tolerance ? (size_t)scene.object_count * GLINT_RAMP_WORDS * sizeof(uint32_t) : (size_t)0;
-    const size_t bytes =
-        backend == COST_FIXED ? glint_fixed_memory_bytes(&scene, &display) : FLOAT_MEMORY_BYTES(&scene, &display);
-    return bytes == 0 ? 0 : bytes + ramps;
+    const size_t kept = c->band_px != 0 && c->band_px < c->height_px ? kept_bytes(&scene) : (size_t)0;
+    const size_t bytes = cost_frame_full_bytes(c, backend, format);
+    return bytes == 0 ? 0 : bytes + tables + kept;
 }
 
 size_t cost_frame_least_bytes(const cost_case *c, int backend, uint8_t format)

@@ -5,6 +5,8 @@
 //
 //     node tools/cost/rp2040.js FOLDER PROGRAM.elf                      FOLDER holds node_modules/rp2040js
 //     node tools/cost/rp2040.js FOLDER PROGRAM.elf --profile CASE       instructions of its first frame by function
+//     node tools/cost/rp2040.js FOLDER PROGRAM.elf --stack CASE         how deep the stack of its first frame gets, and
+//                                                                       with its memory how much RAM it takes
 //
 // The program is linked by tests/target/startup/cortex_m.ld, code from address 0: there the emulator's boot ROM is put
 // aside for it. Code costs the same cycles wherever it is: the flash's cache is not modelled, nor contention of the bus.
@@ -64,8 +66,8 @@ function readElf(file) {
 }
 
 const [folder, file, option, chosen] = process.argv.slice(2);
-if (!file || (option !== undefined && (option !== '--profile' || !chosen))) {
-    fail('usage: node rp2040.js FOLDER PROGRAM.elf [--profile CASE]');
+if (!file || (option !== undefined && (!['--profile', '--stack'].includes(option) || !chosen))) {
+    fail('usage: node rp2040.js FOLDER PROGRAM.elf [--profile CASE | --stack CASE]');
 }
 let RP2040;
 try {
@@ -172,11 +174,9 @@ function helpers() {
     return marks;
 }
 
-// The first call of glint_*_render(): how often each address was executed, and its cycles; and for
-// each address from which a helper was called, the same of all that the helpers did.
-function profile() {
+// Runs to the first call of glint_*_render().
+function enterFrame() {
     const entries = ['glint_fixed_render', 'glint_float_render'].map((name) => symbolNamed(name).address & ~1);
-    const counts = new Float64Array(FLASH_BYTES / 2), taken = new Float64Array(FLASH_BYTES / 2);
     while (!ended && !entries.includes(core.PC & ~1)) {
         step();
     }
@@ -184,6 +184,32 @@ function profile() {
         const why = output.split('\n').find((line) => /^(left|failed) /.test(line));
         fail(why || `no case's name begins '${chosen}': tools/cost/cases.c has them`);
     }
+}
+
+// The stack of that call, the caller's arguments on it included, and the program's own words on the frame's memory.
+function showStack() {
+    enterFrame();
+    const back = core.LR & ~1, stack = core.SP;
+    let deepest = stack;
+    while ((core.PC & ~1) !== back || core.SP !== stack) {
+        step();
+        deepest = Math.min(deepest, core.SP);
+    }
+    const bytes = stack - deepest + 8; // the fifth and sixth argument
+    while (!ended && !/^cost .*\n/m.test(output)) {
+        step();
+    }
+    const line = /^memory (.*)$/m.exec(output) || fail(`${file} tells nothing of its memory`);
+    const [least, full, used] = line[1].split(' ').slice(-3).map(Number);
+    const cells = [bytes, least, least + bytes, full, full + bytes, used, used + bytes].map((n) => String(n).padStart(7));
+    console.log(`${chosen.padEnd(24)}${cells.join('')}`);
+}
+
+// The first call of glint_*_render(): how often each address was executed, and its cycles; and for
+// each address from which a helper was called, the same of all that the helpers did.
+function profile() {
+    const counts = new Float64Array(FLASH_BYTES / 2), taken = new Float64Array(FLASH_BYTES / 2);
+    enterFrame();
     const isHelper = helpers();
     const helped = { counts: new Float64Array(FLASH_BYTES / 2), taken: new Float64Array(FLASH_BYTES / 2) };
     const back = core.LR & ~1, stack = core.SP;
@@ -283,7 +309,9 @@ function show({ counts, taken, isHelper, helped }) {
     print('By stage, see tools/cost/stages.txt:', [...byStage].filter(([, row]) => row.counts > 0), total);
 }
 
-if (chosen) {
+if (option === '--stack') {
+    showStack();
+} else if (chosen) {
     show(profile());
 } else {
     while (!ended) {
