@@ -9,7 +9,7 @@
 
 /* Upper bounds of what either backend keeps of the frame and the triangle being drawn, of an object, and of a light for
  * each object. */
-#define GLINT_DRAWING_BYTES 1680
+#define GLINT_DRAWING_BYTES 1696
 #define GLINT_OBJECT_BYTES 400
 #define GLINT_LIGHT_BYTES 96
 
