@@ -20,7 +20,7 @@
  * shadow's edge by so much over the sine of the angle at which the light grazes the receiver; and a line errs by 2^-5
  * px at most from its 31 bits. Neighbours get the same line between their shadows, to the bit, and no light leaks
  * through. Heights over the receiver's plane within the noise are none, so that neighbours in one plane, and what
- * touches, throw no shadow on each other. tests/unit/test_shadow.c holds this to ray casting.
+ * touches, throw no shadow on each other. tests/image/test_shadows.c holds this to ray casting.
  */
 #ifndef GLINT_EFFECTS_SHADOW_H
 #define GLINT_EFFECTS_SHADOW_H
@@ -94,6 +94,9 @@ uint64_t glint_shadow_bytes(const glint_scene *scene, uint16_t width_px, uint16_
 /* Sets all up for a frame, in that many bytes at `memory`. */
 void glint_shadows_set_up(glint_shadows *shadows, const glint_scene *scene, const glint_view *view, uint8_t *memory,
                           uint16_t band_px);
+
+/* A vertex on the grid: |.| < 2^29. */
+void glint_shadow_vertex(const glint_shadow_object *object, uint16_t vertex, int32_t out[3]);
 
 /*
  * Looks for the shadows of light number `light` that may fall on the triangle, and fills in those that do in the band's
