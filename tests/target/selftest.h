@@ -50,7 +50,7 @@ void selftest_counts(void);
 void selftest_draw_counted(bool in_float);
 
 /* selftest_scenes.c */
-extern const glint_scene selftest_room;
+extern const glint_scene selftest_room, selftest_shadows;
 
 /* The pictures whose pixels are printed, for check.c to compare with the reference. */
 typedef struct selftest_picture {
