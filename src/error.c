@@ -91,6 +91,8 @@ const char *glint_error_text(int error)
         return "the tolerance is below 0.75 codes, or asked for together with a shading";
     case GLINT_ERROR_MEMORY_SIZE:
         return "the memory is smaller than the least that the scene and display need";
+    case GLINT_ERROR_NOT_BUILT:
+        return "the library was compiled without an effect that the scene asks for";
     case GLINT_ERROR_MEMORY_ALIGNMENT:
         return "the memory is not aligned like a uint32_t";
     }

@@ -38,7 +38,7 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     needs->depth = whole_words((uint64_t)display->width_px * band * 2);
     needs->drawing = whole_words(bytes->drawing);
     needs->objects = (uint64_t)scene->object_count * whole_words(bytes->object);
-    needs->shadows = glint_shadow_bytes(scene, display->width_px, band);
+    needs->shadows = !GLINT_SHADOWS ? 0 : glint_shadow_bytes(scene, display->width_px, band);
     needs->shadows += needs->shadows ? whole_words(bytes->shadow) : 0;
     /* with shadows, one of each light once more: see effects/shadow.inc */
     needs->lights =

@@ -89,6 +89,9 @@ static int check_light(const glint_light *light)
     if (light->kind > GLINT_SPOT) {
         return GLINT_ERROR_LIGHT_KIND;
     }
+    if (light->casts_shadows && !GLINT_SHADOWS) {
+        return GLINT_ERROR_NOT_BUILT;
+    }
     if (light->kind != GLINT_POINT && light->direction[0] == 0 && light->direction[1] == 0 &&
         light->direction[2] == 0) {
         return GLINT_ERROR_LIGHT_DIRECTION;

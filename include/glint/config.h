@@ -25,6 +25,12 @@
 /* Greatest number of lights: their sum is taken in 32 bits, with one saturation at the end. */
 #define GLINT_MAX_LIGHTS 4096
 
+/* Define as 0 where the library is compiled to leave out shadows and the flash that they take, 6 KB on a Cortex-M0+. A
+ * scene that asks for them is refused then (GLINT_ERROR_NOT_BUILT). */
+#ifndef GLINT_SHADOWS
+#define GLINT_SHADOWS 1
+#endif
+
 /*
  * Marks constant data that stays in program memory. Only the AVR, whose flash is not in the data address space, needs
  * more than `const`: there the arrays that a glint_mesh points to MUST carry this mark, since the library reads them

@@ -70,8 +70,11 @@ typedef enum glint_error {
     GLINT_ERROR_TOLERANCE = -67,       /* below GLINT_LEAST_TOLERANCE, or together with a shading */
 
     /* memory */
-    GLINT_ERROR_MEMORY_SIZE = -70,     /* less than glint_*_memory_least_bytes() */
-    GLINT_ERROR_MEMORY_ALIGNMENT = -71 /* not aligned like a uint32_t */
+    GLINT_ERROR_MEMORY_SIZE = -70,      /* less than glint_*_memory_least_bytes() */
+    GLINT_ERROR_MEMORY_ALIGNMENT = -71, /* not aligned like a uint32_t */
+
+    /* library */
+    GLINT_ERROR_NOT_BUILT = -80 /* compiled without an effect that the scene asks for: see GLINT_SHADOWS */
 } glint_error;
 
 /* A sentence in English for an error code, never NULL; "unknown error" for any other number. The sentences take 2 KB of

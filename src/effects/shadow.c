@@ -207,7 +207,7 @@ static void cast_object(search *s, uint16_t number)
     uint16_t count[MOST_LEVELS], i = 0;
     int top = 0;
     first[0] = object->box;
-    count[0] = (uint16_t)((triangles + GLINT_SHADOW_LEAF - 1u) / GLINT_SHADOW_LEAF);
+    count[0] = (uint16_t)(((uint32_t)triangles + GLINT_SHADOW_LEAF - 1) / GLINT_SHADOW_LEAF);
     for (; count[top] > 1; top++) {
         first[top + 1] = first[top] + count[top];
         count[top + 1] = (uint16_t)((count[top] + 1u) / 2);

@@ -8,7 +8,7 @@
 
 #include "effects/shadow.h"
 
-/* The greatest component to 30 bits, where there are more, or where `up`. Returns by how much it was shifted down. */
+/* The greatest component to 29 bits, where there are more, or where `up`. Returns by how much it was shifted down. */
 static inline int shadow_narrow(const int64_t in[3], bool up, int32_t out[3])
 {
     const int bits = bit_length64(magnitude64(in[0]) | magnitude64(in[1]) | magnitude64(in[2]));

@@ -19,7 +19,7 @@ uint16_t glint_shadow_light_count(const glint_scene *scene)
 /* Boxes of a mesh: of GLINT_SHADOW_LEAF triangles each, then of two of these, up to one of all. */
 static uint32_t box_count(const glint_mesh *mesh)
 {
-    uint32_t level = (mesh->triangle_count + GLINT_SHADOW_LEAF - 1u) / GLINT_SHADOW_LEAF, count = level;
+    uint32_t level = ((uint32_t)mesh->triangle_count + GLINT_SHADOW_LEAF - 1) / GLINT_SHADOW_LEAF, count = level;
     while (level > 1) {
         level = (level + 1) / 2;
         count += level;

@@ -106,6 +106,10 @@ static const documented_range documented[] = {
     {"towards a light", S32, BELOW(TWO(31)), "its type"},
     {"level product", U32, 0, TWO(15) * 256, "display/pack.c"},
     {"luma q15", U32, 0, TWO(15), "display/pack.c"},
+
+    /* effects/ */
+    {"shadow position", S32, BELOW(TWO(29)), "effects/shadow.h"},
+    {"shadow vector", S32, WITHIN(TWO(29)), "effects/shadow_plane.h"},
 };
 
 enum { DOCUMENTED = sizeof documented / sizeof *documented };

@@ -469,7 +469,7 @@ static void test_each_code_has_its_own_sentence(void **state)
     for (int code = -200; code <= 200; code++) {
         assert_non_null(glint_error_text(code));
         assert_true(strlen(glint_error_text(code)) > 5);
-        bool provoked = false;
+        bool provoked = code == GLINT_ERROR_NOT_BUILT; /* by test_without_shadows.c */
         for (size_t i = 0; i < VARIATIONS; i++) {
             provoked = provoked || variations[i].expected == code;
         }
