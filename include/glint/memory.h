@@ -19,7 +19,7 @@
 #define GLINT_REACH_WORDS (GLINT_REACH_BYTES / 4)
 
 /* With lights that cast shadows: of the frame, of each such light, of each object, and of 8 triangles of a mesh. */
-#define GLINT_SHADOW_STATE_BYTES 512
+#define GLINT_SHADOW_STATE_BYTES 832
 #define GLINT_SHADOW_LIGHT_BYTES 24
 #define GLINT_SHADOW_OBJECT_BYTES 96
 #define GLINT_SHADOW_BOX_BYTES 12

@@ -24,6 +24,8 @@ typedef struct search {
     bool found;
 } search;
 
+typedef char glint_assert_shadow_search[sizeof(search) <= sizeof((glint_shadows *)0)->search ? 1 : -1];
+
 #define COARSE_NORMAL_BITS 13
 
 /*
@@ -236,38 +238,38 @@ static void cast_object(search *s, uint16_t number)
 bool glint_shadow_fall(glint_shadows *shadows, const glint_shadow_receiver *receiver, uint16_t light)
 {
     const glint_shadow_object *on = &shadows->objects[receiver->object];
-    search s;
+    search *const s = (search *)(void *)shadows->search;
     int32_t corner[3][3];
-    s.shadows = shadows;
-    s.light = &shadows->lights[light];
-    s.receiver = receiver;
-    s.found = false;
+    s->shadows = shadows;
+    s->light = &shadows->lights[light];
+    s->receiver = receiver;
+    s->found = false;
     for (int i = 0; i < 3; i++) {
         glint_shadow_vertex(on, receiver->vertex[i], corner[i]);
     }
-    const int facing = plane_of_face(&s.own, s.light, corner);
+    const int facing = plane_of_face(&s->own, s->light, corner);
     if (facing == 0) {
         return false;
     }
     for (int i = 0; i < 3; i++) {
-        plane_of_side(&s.side[i], s.light, corner, i, facing, true);
+        plane_of_side(&s->side[i], s->light, corner, i, facing, true);
     }
     if (facing < 0) {
-        plane_turn(&s.own);
+        plane_turn(&s->own);
     }
-    s.eye = -product_sum(s.own.normal, s.own.base);
-    if (s.eye == 0) {
+    s->eye = -product_sum(s->own.normal, s->own.base);
+    if (s->eye == 0) {
         return false; /* seen from the side: there are no pixels of it */
     }
-    coarse_from(&s.coarse[0], &s.own, shadows->coarse_bits);
+    coarse_from(&s->coarse[0], &s->own, shadows->coarse_bits);
     for (int i = 0; i < 3; i++) {
-        coarse_from(&s.coarse[i + 1], &s.side[i], shadows->coarse_bits);
+        coarse_from(&s->coarse[i + 1], &s->side[i], shadows->coarse_bits);
     }
     for (uint16_t i = 0; i < shadows->object_count; i++) {
         if (shadows->objects[i].casts) {
-            cast_object(&s, i);
+            cast_object(s, i);
         }
     }
-    s.light->falls = s.found;
-    return s.found;
+    s->light->falls = s->found;
+    return s->found;
 }

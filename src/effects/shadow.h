@@ -69,6 +69,7 @@ typedef struct glint_shadows {
     int16_t xy_fraction, z_fraction; /* of the grid: f X 2^xy_fraction, Z 2^z_fraction */
     uint8_t coarse_bits[3];          /* by which a coordinate is shifted down to 16 bits */
     int16_t y_first, y_last;         /* the band being drawn */
+    uint64_t search[36];             /* what is being looked for, here to leave the stack alone: see shadow.c */
     uint32_t tests;                  /* casting triangles whose shadows were filled in */
 } glint_shadows;
 
