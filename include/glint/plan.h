@@ -27,7 +27,10 @@ typedef enum glint_reason {
     GLINT_OUT_OF_RANGE = 4,     /* the whole object is at least the light's range away from it */
     GLINT_OUTSIDE_CONE = 5,     /* the whole object is outside of the spot light's outer cone */
     GLINT_NOT_IN_SCENE = 6,     /* the scene has none of it */
-    GLINT_IN_FRONT = 7          /* the whole object is in front of where the fog begins */
+    GLINT_IN_FRONT = 7,         /* the whole object is in front of where the fog begins */
+    GLINT_NOT_CAST = 8,         /* shadows: the light casts none */
+    GLINT_NOT_TAKEN = 9,        /* shadows: the object takes none */
+    GLINT_NOTHING_CASTS = 10    /* shadows: no object of the scene casts any */
 } glint_reason;
 
 /* A sentence in English, never NULL. */
@@ -50,6 +53,7 @@ typedef struct glint_object_plan {
 
 typedef struct glint_light_plan {
     uint8_t diffuse, specular; /* glint_reason of each term */
+    uint8_t shadow;            /* glint_reason: shadows of this light may fall on the object, or why not */
     bool attenuation, cone;    /* if one of these is needed: its factors a (or w) and b are evaluated */
 } glint_light_plan;
 

@@ -18,7 +18,8 @@
 #define PART_MIRRORS 128u
 #define PART_SIDES 256u  /* surfaces of which the inside is shown */
 #define PART_FINISH 512u /* what comes between shading and packing: fog, transmission, edges of the mesh */
-#define PARTS_ALL 1023u
+#define PART_SHADOWS 1024u
+#define PARTS_ALL 2047u
 
 #ifndef BACKEND_PARTS
 #define BACKEND_PARTS PARTS_ALL

@@ -9,6 +9,7 @@
 #define PLAIN_ABOVE 0   /* plain pixels more than 1 code from the reference's code */
 #define CONTESTED_UNMATCHED 0 /* contested pixels that agree with no triangle that meets there */
 #define CONTESTED_SHARE 0.005 /* of the frame */
+#define SHADOW_SHARE 0.05     /* of the frame: within a pixel of a shadow's edge, of one light or another */
 
 #include "tests/image/frame.h"
 
@@ -31,14 +32,16 @@ static void match(const demo_scene *demo, int shading, double codes, double shar
         reference_verdict verdict;
         assert_int_equal(frame_draw(&f, demo->scene, backend), 0);
         reference_check(&image, f.pixels, 1, &verdict);
-        printf("%-22s %s %d: max=%.3f mean=%.3f psnr=%.1f differing=%u of %u; contested=%.3f%% unmatched=%u\n",
+        printf("%-22s %s %d: max=%.3f mean=%.3f psnr=%.1f differing=%u of %u; contested=%.3f%% shadow=%.3f%% "
+               "unmatched=%u\n",
                demo->name, frame_backend_name[backend], shading, verdict.max_codes, verdict.mean_codes, verdict.psnr_db,
                (unsigned)verdict.differing, (unsigned)verdict.pixels, 100 * verdict.contested_share,
-               (unsigned)verdict.unmatched);
+               100 * verdict.shadow_share, (unsigned)verdict.unmatched);
         assert_true(verdict.max_codes <= codes);
         assert_true(verdict.above <= PLAIN_ABOVE);
         assert_true(verdict.unmatched <= CONTESTED_UNMATCHED);
         assert_true(verdict.contested_share < share);
+        assert_true(verdict.shadow_share < (share < 1 ? SHADOW_SHARE : 1));
         frame_free(&f);
     }
     reference_free(&image);

@@ -18,8 +18,10 @@
 /* Below this length a sum of unit normals has no direction that double precision could tell. */
 #define NORMAL_LEAST 1e-9
 
-/* Lights at whose terminator one surface point may stand, each with and without its specular term. */
+/* Lights at whose terminator one surface point may stand, each with and without its specular term; and lights at the
+ * edge of whose shadow, each hidden or not. */
 #define TERMINATOR_MAX 4
+#define SHADOW_MAX 4
 
 typedef struct vector {
     double x, y, z;
@@ -75,6 +77,7 @@ typedef struct surface {
     double diffuse[3], specular[3], emission[3], mirror[3];
     double exponent;
     bool blinn;
+    bool casts, takes; /* shadows */
     int sides;
     double transmission, grazing[3]; /* the first is in ambient .. emission already */
     bool grazes;
@@ -89,6 +92,7 @@ typedef struct lamp {
     bool is_area, is_ball; /* extended: a panel, unless it is a ball */
     vector edge[2];
     double radius;
+    bool casts; /* shadows */
     double colour[3];
     double k[3], unit, range;    /* attenuation; range 0: none */
     double cos_inner, cos_outer; /* of a spot's cones */
@@ -180,6 +184,7 @@ struct reference_detail {
     surface *surfaces; /* one an object */
     int lamp_count;
     lamp *lamps;
+    struct shadow_tree *shadows;
     int32_t *first; /* meeting of each pixel, -1: none */
     meeting *meetings;
     int32_t meeting_count, meeting_room;
@@ -244,12 +249,19 @@ area_mean area_light(const lamp *l, const surface *f, vector point, vector norma
 /* shade.c */
 /* max(0, r.c)^alpha, or with Blinn's h. */
 double shade_highlight(const surface *f, vector n, vector s, vector c);
+/* What the place of a surface point does not decide for good: the specular terms of lights at whose terminator it
+ * stands, and lights at the edge of whose shadow. Each is there when its bit of `on` is set, terminators first. */
+typedef struct undecided {
+    int terminator[TERMINATOR_MAX], shadow[SHADOW_MAX];
+    int terminator_count, shadow_count;
+    unsigned on;
+} undecided;
 /* The lights at whose terminator (point, normal) stands. Returns their number, at most TERMINATOR_MAX. */
 int shade_terminators(const reference_detail *d, const surface *f, vector point, vector normal,
                       int lights[TERMINATOR_MAX]);
-/* The model. Of the `count` lights listed, light k's specular term is there when bit k of `on` is set. */
-void shade_point(const reference_detail *d, const surface *f, vector point, vector normal, const int *lights, int count,
-                 unsigned on, double rgb[3]);
+/* The model. `on`: the triangle that shadows fall on; NULL: there are none. */
+void shade_point(const reference_detail *d, const surface *f, const triangle *on, vector point, vector normal,
+                 const undecided *u, double rgb[3]);
 void shade_triangle(const reference_detail *d, triangle *t);
 /* The colour of a triangle at a point of its screen polygon. variant: see shade_variants(); -1: the model's own. */
 void shade_corner(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
@@ -261,7 +273,17 @@ wire_state shade_wire(const reference_detail *d, const triangle *t, double x, do
  * what is behind. */
 void shade_layer(const reference_detail *d, const triangle *t, const corner *where, const corner *anchor, int variant,
                  bool wire, double rgb[3], double *through);
-/* In how many ways specular terms may be there or not: 1 where no terminator is near. */
-int shade_variants(const reference_detail *d, const triangle *t, const corner *anchor);
+/* In how many ways specular terms and lights may be there or not: 1 where no terminator and no shadow's edge is near.
+ * *mask gets REFERENCE_TERMINATOR and REFERENCE_SHADOW; it may be NULL. */
+int shade_variants(const reference_detail *d, const triangle *t, const corner *anchor, uint8_t *mask);
+
+/* shadow.c */
+/* 0, or -1 without memory. */
+int shadow_load(reference_detail *d);
+void shadow_free(struct shadow_tree *tree);
+/* Does something stand between the light and a point of the triangle? */
+bool shadow_hides(const reference_detail *d, const triangle *t, vector point, int light);
+/* Is an edge of the light's shadow so near that the library may be on its other side? */
+bool shadow_contested(const reference_detail *d, const triangle *t, const corner *at, int light);
 
 #endif

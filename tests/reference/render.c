@@ -19,6 +19,7 @@ static void free_detail(reference_detail *d)
         free(d->meetings);
         free(d->contenders);
         free(d->layers);
+        shadow_free(d->shadows);
         free(d);
     }
 }
@@ -63,9 +64,9 @@ static void draw_opaque(reference_image *image, int x, int y, size_t at, int fro
     if (shade_wire(d, t, hit.x, hit.y) == WIRE_DOUBTFUL) {
         image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_EDGE);
     }
-    if (shade_variants(d, t, &hit) > 1) {
-        image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_TERMINATOR);
-    }
+    uint8_t mask;
+    (void)shade_variants(d, t, &hit, &mask);
+    image->mask[at] = (uint8_t)(image->mask[at] | mask);
 }
 
 static void draw_pixel(reference_image *image, int x, int y)
@@ -129,9 +130,13 @@ int reference_render_with(const glint_scene *scene, int width, int height, int s
     d->options.edge_px = option(options ? options->edge_px : 0.0, 1.0 / 256.0);
     d->options.depth_steps = option(options ? options->depth_steps : 0.0, 2.0);
     d->options.terminator = option(options ? options->terminator : 0.0, 1e-4);
+    d->options.shadow_px = option(options ? options->shadow_px : 0.0, 1.0);
 
     if (view_load(d, scene, error, error_bytes)) {
         return fail(out, error, error_bytes, NULL);
+    }
+    if (shadow_load(d)) {
+        return fail(out, error, error_bytes, "no memory for shadows");
     }
     for (int32_t i = 0; i < d->triangle_count; i++) {
         shade_triangle(d, &d->triangles[i]);
@@ -167,7 +172,7 @@ static int triangle_candidates(const reference_detail *d, const contender *c, in
 {
     const triangle *t = &d->triangles[c->triangle];
     corner region[MEET_REGION_MAX + 1], anchor = seen_at(d, c, x + 0.5, y + 0.5);
-    int points = meet_region(d, t, x + 0.5, y + 0.5, region), variants = shade_variants(d, t, &anchor);
+    int points = meet_region(d, t, x + 0.5, y + 0.5, region), variants = shade_variants(d, t, &anchor, NULL);
     region[points++] = anchor;
     wire_state wire = shade_wire(d, t, anchor.x, anchor.y);
     for (int v = 0; v < variants * 2; v++) {

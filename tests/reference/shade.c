@@ -6,6 +6,9 @@
 
 #include "internal.h"
 
+/* A change of colour that counts for none. */
+#define NOTHING (0.001 / 255.0)
+
 static double clamp01(double v)
 {
     return v < 0.0 ? 0.0 : v > 1.0 ? 1.0 : v;
@@ -26,8 +29,21 @@ double shade_highlight(const surface *f, vector n, vector s, vector c)
     return pow(cosine > 0.0 ? cosine : 0.0, f->exponent); /* C99: pow(0, 0) is 1 */
 }
 
-void shade_point(const reference_detail *d, const surface *f, vector point, vector normal, const int *lights, int count,
-                 unsigned on, double rgb[3])
+static bool light_seen(const reference_detail *d, const triangle *on, vector point, const undecided *u, int light)
+{
+    if (on == NULL || !d->lamps[light].casts) {
+        return true;
+    }
+    for (int k = 0; k < u->shadow_count; k++) {
+        if (u->shadow[k] == light) {
+            return (u->on >> (u->terminator_count + k) & 1u) != 0;
+        }
+    }
+    return !shadow_hides(d, on, point, light);
+}
+
+void shade_point(const reference_detail *d, const surface *f, const triangle *on, vector point, vector normal,
+                 const undecided *u, double rgb[3])
 {
     vector c = unit(minus(d->eye, point));
     if (length(normal) == 0.0) {
@@ -59,10 +75,13 @@ void shade_point(const reference_detail *d, const surface *f, vector point, vect
         }
         double ns = dot(normal, s);
         bool lit = ns > 0.0;
-        for (int k = 0; k < count; k++) {
-            if (lights[k] == j) {
-                lit = (on >> k & 1u) != 0;
+        for (int k = 0; k < u->terminator_count; k++) {
+            if (u->terminator[k] == j) {
+                lit = (u->on >> k & 1u) != 0;
             }
+        }
+        if ((ns <= 0.0 && !lit) || !light_seen(d, on, point, u, j)) {
+            continue;
         }
         double specular = lit ? shade_highlight(f, normal, s, c) : 0.0, factor = lamp_factor(l, point, s);
         for (int k = 0; k < 3; k++) {
@@ -86,13 +105,15 @@ int shade_terminators(const reference_detail *d, const surface *f, vector point,
         /* over an extended source the term ends gradually */
         if (!d->lamps[j].is_area && lamp_toward(&d->lamps[j], point, &s) &&
             fabs(dot(normal, s)) < d->options.terminator) {
+            undecided u = {.terminator = {j}, .terminator_count = 1, .on = 1u};
             double with[3], without[3], change = 0.0;
-            shade_point(d, f, point, normal, &j, 1, 1u, with);
-            shade_point(d, f, point, normal, &j, 1, 0u, without);
+            shade_point(d, f, NULL, point, normal, &u, with);
+            u.on = 0u;
+            shade_point(d, f, NULL, point, normal, &u, without);
             for (int k = 0; k < 3; k++) {
                 change = fmax(change, with[k] - without[k]);
             }
-            if (change > 0.001 / 255.0) {
+            if (change > NOTHING) {
                 lights[count++] = j;
             }
         }
@@ -134,33 +155,65 @@ static int gouraud_terminators(const reference_detail *d, const triangle *t, int
 void shade_triangle(const reference_detail *d, triangle *t)
 {
     const surface *f = &d->surfaces[t->object];
+    const undecided nothing = {.on = 0u};
     int lights[TERMINATOR_MAX];
     t->has_terminator = false;
     if (d->shading == GLINT_SHADING_GOURAUD) {
         for (int i = 0; i < 3; i++) {
-            shade_point(d, f, t->world[i], t->normal[i], NULL, 0, 0u, t->corner_colour[i]);
+            shade_point(d, f, NULL, t->world[i], t->normal[i], &nothing, t->corner_colour[i]);
             t->has_terminator = t->has_terminator || gouraud_terminators(d, t, i, lights) > 0;
         }
     } else if (d->shading == GLINT_SHADING_FLAT) {
-        shade_point(d, f, centroid(t), t->face, NULL, 0, 0u, t->flat_colour);
+        shade_point(d, f, NULL, centroid(t), t->face, &nothing, t->flat_colour);
         t->has_terminator = shade_terminators(d, f, centroid(t), t->face, lights) > 0;
     }
 }
 
-/* Variants are numbered in bits: exact and flat: bit k for light k of those at their terminator; Gouraud: bit i for all
- * such lights of corner i together. */
-int shade_variants(const reference_detail *d, const triangle *t, const corner *anchor)
+/* Can the light change the colour there? */
+static bool light_matters(const reference_detail *d, const surface *f, vector point, vector normal, int light)
 {
-    int lights[TERMINATOR_MAX], count;
-    vector point = centroid(t), normal = t->face;
-    if (d->shading == GLINT_SHADING_GOURAUD) {
-        return t->has_terminator ? 8 : 1;
+    const lamp *l = &d->lamps[light];
+    vector s;
+    double ns = 0.0, most = 0.0;
+    if (!lamp_toward(l, point, &s) || (ns = dot(normal, s)) < -d->options.terminator) {
+        return false;
     }
+    for (int k = 0; k < 3; k++) {
+        most = fmax(most, lamp_factor(l, point, s) * l->colour[k] * (f->diffuse[k] * fmax(ns, 0.0) + f->specular[k]));
+    }
+    return most > NOTHING;
+}
+
+/* What is undecided at a point of exact or flat shading. */
+static void leave_open(const reference_detail *d, const triangle *t, const corner *anchor, undecided *u)
+{
+    const surface *f = &d->surfaces[t->object];
+    vector point = centroid(t), normal = t->face;
+    memset(u, 0, sizeof *u);
     if (d->shading == GLINT_SHADING_EXACT) {
         exact_point(t, anchor, &point, &normal);
     }
-    count = shade_terminators(d, &d->surfaces[t->object], point, normal, lights);
-    return 1 << count;
+    u->terminator_count = shade_terminators(d, f, point, normal, u->terminator);
+    for (int j = 0; d->shading == GLINT_SHADING_EXACT && j < d->lamp_count && u->shadow_count < SHADOW_MAX; j++) {
+        if (d->lamps[j].casts && light_matters(d, f, point, normal, j) && shadow_contested(d, t, anchor, j)) {
+            u->shadow[u->shadow_count++] = j;
+        }
+    }
+}
+
+/* Variants are numbered in bits: exact and flat: those of what is undecided; Gouraud: bit i for all lights together at
+ * whose terminator corner i stands. */
+int shade_variants(const reference_detail *d, const triangle *t, const corner *anchor, uint8_t *mask)
+{
+    undecided u = {.terminator_count = d->shading == GLINT_SHADING_GOURAUD && t->has_terminator ? 3 : 0};
+    if (d->shading != GLINT_SHADING_GOURAUD) {
+        leave_open(d, t, anchor, &u);
+    }
+    if (mask) {
+        *mask = (uint8_t)((u.terminator_count > 0 ? REFERENCE_TERMINATOR : 0) |
+                          (u.shadow_count > 0 ? REFERENCE_SHADOW : 0));
+    }
+    return 1 << (u.terminator_count + u.shadow_count);
 }
 
 static void gouraud(const reference_detail *d, const triangle *t, const corner *where, int variant, double rgb[3])
@@ -175,9 +228,9 @@ static void gouraud(const reference_detail *d, const triangle *t, const corner *
         double at_corner[3];
         memcpy(at_corner, t->corner_colour[i], sizeof at_corner);
         if (variant >= 0 && t->has_terminator) {
-            int lights[TERMINATOR_MAX], count = gouraud_terminators(d, t, i, lights);
-            shade_point(d, &d->surfaces[t->object], t->world[i], t->normal[i], lights, count,
-                        variant >> i & 1 ? ~0u : 0u, at_corner);
+            undecided u = {.on = variant >> i & 1 ? ~0u : 0u};
+            u.terminator_count = gouraud_terminators(d, t, i, u.terminator);
+            shade_point(d, &d->surfaces[t->object], NULL, t->world[i], t->normal[i], &u, at_corner);
         }
         for (int k = 0; k < 3; k++) {
             rgb[k] += weight[i] / sum * at_corner[k];
@@ -190,8 +243,7 @@ static void unfogged(const reference_detail *d, const triangle *t, const corner 
                      int variant, double rgb[3])
 {
     const surface *f = &d->surfaces[t->object];
-    int lights[TERMINATOR_MAX], count = 0;
-    unsigned on = (unsigned)variant;
+    undecided u = {.on = 0u};
     vector point, normal;
     if (d->shading == GLINT_SHADING_GOURAUD) {
         gouraud(d, t, where, variant, rgb);
@@ -204,15 +256,14 @@ static void unfogged(const reference_detail *d, const triangle *t, const corner 
         }
         point = centroid(t);
         normal = t->face;
-        count = shade_terminators(d, f, point, normal, lights);
     } else {
-        if (variant >= 0) {
-            exact_point(t, anchor, &point, &normal);
-            count = shade_terminators(d, f, point, normal, lights);
-        }
         exact_point(t, where, &point, &normal);
     }
-    shade_point(d, f, point, normal, lights, count, on, rgb);
+    if (variant >= 0) {
+        leave_open(d, t, anchor, &u);
+        u.on = (unsigned)variant;
+    }
+    shade_point(d, f, d->shading == GLINT_SHADING_EXACT ? t : NULL, point, normal, &u, rgb);
 }
 
 /* What is mirrored at the pixel instead of let through: (1 - |n.c|)^5. */

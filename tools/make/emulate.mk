@@ -13,9 +13,10 @@ s390x_CC := s390x-linux-gnu-gcc
 # gcc -std=c99 evaluates float expressions in double on this processor (FLT_EVAL_METHOD 1), and warns of it.
 s390x_FLAGS := -Wno-double-promotion
 i686_CC := i686-linux-gnu-gcc
-# Both backends and the self-test do not fit the AVR's 128 KB: its float routines are tested there, its float frames not.
+# Both backends and the self-test do not fit the AVR's 128 KB: its float routines are tested there, its float frames
+# and shadows not.
 # Inlining makes its code a sixth larger.
-avr_LEVEL := -Os -fno-inline -mcall-prologues -mrelax -mstrict-X -fno-move-loop-invariants -DSELFTEST_FLOAT_FRAMES=0
+avr_LEVEL := -Os -fno-inline -mcall-prologues -mrelax -mstrict-X -fno-move-loop-invariants -DSELFTEST_FLOAT_FRAMES=0 -DSELFTEST_SHADOWS=0
 
 # What stands beside the self-test on each, and how it is linked.
 m0plus_GLUE := $(SELFTEST)/platform_arm.c $(STARTUP)/cortex_m_startup.c
