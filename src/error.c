@@ -46,6 +46,8 @@ const char *glint_error_text(int error)
         return "a material mirrors a colour below 0 or above 1 at grazing angles";
     case GLINT_ERROR_WIRE:
         return "a material's wire is wider than 256 pixels, or its colour below 0 or above 1";
+    case GLINT_ERROR_SHADOWS:
+        return "a material's choice of shadows is unknown";
     case GLINT_ERROR_LIGHT_KIND:
         return "a light's kind is unknown";
     case GLINT_ERROR_LIGHT_DIRECTION:
@@ -67,6 +69,8 @@ const char *glint_error_text(int error)
                "degrees";
     case GLINT_ERROR_LIGHT_EXTENT:
         return "a ball's radius is negative, or a panel or a ball reaches beyond 16384 world units";
+    case GLINT_ERROR_LIGHT_SHADOWS:
+        return "a panel or a ball is to cast shadows, which only lights without an extent can";
     case GLINT_ERROR_LIGHT_SAMPLES:
         return "an extended light source has more than 64 samples";
     case GLINT_ERROR_MIRROR:

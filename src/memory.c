@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "memory.h"
 
+#include "effects/shadow.h"
 #include "lighting/source.h"
 #include "raster/bands.h"
 #include "raster/edges.h"
@@ -47,13 +48,17 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     needs->depth = whole_words((uint64_t)display->width_px * band * 2);
     needs->drawing = whole_words(bytes->drawing);
     needs->objects = (uint64_t)scene->object_count * whole_words(bytes->object);
+    needs->shadows = bytes->shadow == 0 ? 0 : glint_shadow_bytes(scene, display->width_px, band);
+    needs->shadows += needs->shadows ? whole_words(bytes->shadow) : 0;
     needs->light_count = needs->reach_count = 0;
     for (uint16_t i = 0; i < scene->light_count; i++) {
         const uint8_t points = glint_source_most(&scene->lights[i]);
         needs->light_count = (uint16_t)(needs->light_count + points);
         needs->reach_count = (uint16_t)(needs->reach_count + (light_reaches(&scene->lights[i]) ? points : 0));
     }
-    needs->lights = (uint64_t)scene->object_count * needs->light_count * whole_words(bytes->light);
+    /* with shadows, one of each light once more: see effects/shadow.inc */
+    needs->lights =
+        (scene->object_count + (uint64_t)(needs->shadows != 0)) * needs->light_count * whole_words(bytes->light);
     needs->reaches = (uint64_t)scene->object_count * needs->reach_count * whole_words(bytes->reach);
     needs->mirrors = mirror_count * whole_words(bytes->mirror);
     needs->texture = 0;
@@ -66,7 +71,7 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
                        ? whole_words((triangle_count + needs->band_count) * 2)
                        : 0;
     needs->vertices = vertex_count * sizeof(glint_screen_vertex);
-    needs->least = needs->drawing + needs->objects + needs->lights + needs->reaches + needs->mirrors + needs->texture +
-                   needs->buffers + needs->depth;
+    needs->least = needs->drawing + needs->objects + needs->lights + needs->shadows + needs->reaches + needs->mirrors +
+                   needs->texture + needs->buffers + needs->depth;
     needs->full = needs->least + needs->bands + needs->vertices;
 }

@@ -5,6 +5,8 @@
  *     drawing   of the frame, of one triangle  always
  *     objects   one state an object            always
  *     lights    one state an object and light  always; of an extended source as many as its samples allow
+ *     shadows   boxes, lights, a copy of an object,
+ *               a bit a pixel of a band and light    where some light casts shadows: see effects/shadow.h
  *     reaches   one for each of these lights that is a spot light or attenuated
  *     mirrors   one for each object that mirrors the environment
  *     texture   one, where an object has a texture
@@ -33,7 +35,7 @@ typedef struct glint_needs {
     uint16_t light_count; /* with the most point lights that extended sources may come to */
     uint16_t reach_count; /* of these, spot lights and attenuated ones */
     uint32_t texture;     /* with 4 to spare, for an alignment of 8 */
-    uint64_t drawing, objects, lights, reaches, mirrors, buffers, depth, bands, vertices;
+    uint64_t drawing, objects, lights, shadows, reaches, mirrors, buffers, depth, bands, vertices;
     uint32_t triangle_count;
     uint64_t least; /* without bands and vertices */
     uint64_t full;  /* with these */
@@ -41,7 +43,7 @@ typedef struct glint_needs {
 
 /* Of one of each, in a backend. */
 typedef struct glint_state_bytes {
-    uint16_t drawing, object, light, reach, mirror, texture;
+    uint16_t drawing, object, light, reach, mirror, texture, shadow; /* shadow 0: the backend draws none */
 } glint_state_bytes;
 
 /* Does a material mirror the environment? NULL does not. */

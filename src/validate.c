@@ -71,6 +71,9 @@ static int check_material(const glint_material *material, const glint_environmen
     if (material->sides > GLINT_TWO_SIDED) {
         return GLINT_ERROR_SIDES;
     }
+    if (material->shadows > (GLINT_CASTS_NO_SHADOW | GLINT_TAKES_NO_SHADOW)) {
+        return GLINT_ERROR_SHADOWS;
+    }
     if (!in_range(&material->emission, ONE_Q14)) {
         return GLINT_ERROR_EMISSION;
     }
@@ -147,6 +150,9 @@ static int check_extent(const glint_light *light)
     }
     if (light->kind == GLINT_BALL && light->radius_q16 < 0) {
         return GLINT_ERROR_LIGHT_EXTENT;
+    }
+    if (light->casts_shadows) {
+        return GLINT_ERROR_LIGHT_SHADOWS;
     }
     return light->samples > GLINT_MAX_SAMPLES ? GLINT_ERROR_LIGHT_SAMPLES : GLINT_OK;
 }
@@ -287,11 +293,12 @@ static bool is_black(const glint_colour *colour)
 static uint32_t parts_of_light(const glint_light *light)
 {
     const glint_attenuation *a = &light->attenuation;
+    const uint32_t shadows = light->casts_shadows ? PART_SHADOWS : 0;
     if (light->kind == GLINT_DIRECTIONAL) {
-        return 0;
+        return shadows;
     }
     const bool attenuated = a->range_q16 != 0 || (a->k_q14[0] | a->k_q14[1] | a->k_q14[2]) != 0;
-    return PART_POINTS | (attenuated || light->kind == GLINT_SPOT ? PART_REACH : 0) |
+    return shadows | PART_POINTS | (attenuated || light->kind == GLINT_SPOT ? PART_REACH : 0) |
            (light->kind == GLINT_PANEL || light->kind == GLINT_BALL ? PART_EXTENTS : 0);
 }
 

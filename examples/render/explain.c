@@ -43,7 +43,13 @@ static bool explain_light(FILE *file, const glint_scene *scene, uint16_t object,
                 source.points == 1 ? "" : "s", source.error_q8 / 256.0,
                 source.enough ? "" : " (more samples asked for)");
     }
-    fprintf(file, "%s%s\n", plan.attenuation ? ", attenuated" : "", plan.cone ? ", in a cone" : "");
+    fprintf(file, "%s%s", plan.attenuation ? ", attenuated" : "", plan.cone ? ", in a cone" : "");
+    if (plan.shadow == GLINT_NEEDED) {
+        fprintf(file, ", with shadows\n");
+    } else {
+        fprintf(file, "%s%s\n", scene->lights[number].casts_shadows ? ", without shadows: " : "",
+                scene->lights[number].casts_shadows ? glint_reason_text(plan.shadow) : "");
+    }
     return true;
 }
 
@@ -82,6 +88,9 @@ static void explain_counts(FILE *file, const glint_report *report)
         }
     }
     fprintf(file, "  a highlight evaluated, or above 0, at %lu pixels\n", (unsigned long)report->pixels_specular);
+    fprintf(file, "  shadows on %lu triangles, thrown by single triangles %lu times, at %lu pixels\n",
+            (unsigned long)report->shadow_triangles, (unsigned long)report->shadow_tests,
+            (unsigned long)report->pixels_shadowed);
     fprintf(file, "  by triangle: %lu lights folded into sums, %lu that do not reach it\n",
             (unsigned long)report->lights_folded, (unsigned long)report->lights_culled);
 }

@@ -71,6 +71,8 @@ extern const glint_scene demo_chrome, demo_gilded;
 
 /* blend.c: surfaces seen from both sides; fog; surfaces that let light through; a mesh's edges */
 extern const glint_scene demo_bowls, demo_avenue, demo_glass, demo_pond, demo_mesh;
+/* shadows.c: hard shadows of the sun, and of lamps in a room */
+extern const glint_scene demo_shadows_sun, demo_shadows_lamps;
 
 /* textured.c: a tiled floor and a wooden wall, a planet */
 extern const glint_scene demo_tiles, demo_planet;

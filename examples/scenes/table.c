@@ -29,6 +29,8 @@ const demo_scene demo_scenes[] = {
     {"mesh", "The teapot with the edges of its mesh", &demo_mesh, 320, 240},
     {"tiles", "A tiled floor in strong perspective, and a wooden wall", &demo_tiles, 320, 240},
     {"planet", "A planet, bilinearly filtered", &demo_planet, 240, 240},
+    {"shadows-sun", "Shadows of the sun on a floor, and of a knot on itself", &demo_shadows_sun, 320, 240},
+    {"shadows-lamps", "Shadows of two lamps in a room", &demo_shadows_lamps, 320, 240},
     {"ambient-ratio", "Ambient to diffuse ratio growing to the right", &demo_ambient_ratio, 320, 80},
     {"specular-grid", "Specular share growing downwards, exponent to the right", &demo_specular_grid, 320, 240},
     {"ambient-only", "A still life in ambient light", &demo_ambient_only, 320, 240},

@@ -37,6 +37,7 @@ typedef enum glint_error {
     GLINT_ERROR_SPECULAR_MODEL = -32,
     GLINT_ERROR_EMISSION = -33,     /* below 0 or above 1 */
     GLINT_ERROR_SIDES = -34,        /* unknown choice of sides */
+    GLINT_ERROR_SHADOWS = -35,      /* unknown bits of glint_material.shadows */
     GLINT_ERROR_TRANSMISSION = -37, /* above 1 */
     GLINT_ERROR_GRAZING = -38,      /* below 0 or above 1 */
     GLINT_ERROR_WIRE = -39,         /* wider than GLINT_MAX_WIRE_Q4, or of a colour below 0 or above 1 */
@@ -75,6 +76,7 @@ typedef enum glint_error {
     /* extended sources */
     GLINT_ERROR_LIGHT_EXTENT = -90,  /* a radius below 0, or a panel or ball that reaches out of range */
     GLINT_ERROR_LIGHT_SAMPLES = -91, /* more samples than GLINT_MAX_SAMPLES */
+    GLINT_ERROR_LIGHT_SHADOWS = -95, /* a panel or ball that is to cast shadows: they cannot */
 
     /* mirrors */
     GLINT_ERROR_MIRROR = -92,           /* a mirror's reflectance below 0 or above 1 */

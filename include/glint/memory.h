@@ -9,8 +9,8 @@
 
 /* Upper bounds of what either backend keeps of the frame and the triangle being drawn, of an object, and of a light for
  * each object. */
-#define GLINT_DRAWING_BYTES 1856
-#define GLINT_OBJECT_BYTES 464
+#define GLINT_DRAWING_BYTES 1920
+#define GLINT_OBJECT_BYTES 472
 #define GLINT_LIGHT_BYTES 96
 
 /* And of a spot light or an attenuated one for each object, beside that: so many words more than GLINT_MEMORY_WORDS for
@@ -24,6 +24,23 @@
 
 /* And this many words more once, if any material has a texture. */
 #define GLINT_TEXTURE_WORDS 120
+
+/* With lights that cast shadows: of the frame, of each such light, of each object, and of 8 triangles of a mesh. */
+#define GLINT_SHADOW_STATE_BYTES 880
+#define GLINT_SHADOW_LIGHT_BYTES 24
+#define GLINT_SHADOW_OBJECT_BYTES 96
+#define GLINT_SHADOW_BOX_BYTES 12
+
+/*
+ * uint32_t words more that a scene takes in which `casting` of its lights cast shadows, at least one; the other
+ * arguments are those of GLINT_MEMORY_WORDS. The greatest part is one bit for each pixel of a band and casting light.
+ */
+#define GLINT_SHADOW_WORDS(width_px, band_px, vertices, triangles, objects, lights, casting)                           \
+    (GLINT_SHADOW_STATE_BYTES / 4 + (uint32_t)(lights) * (GLINT_LIGHT_BYTES / 4) +                                     \
+     (uint32_t)(casting) * (GLINT_SHADOW_LIGHT_BYTES / 4 + ((uint32_t)(width_px) + 31) / 32 * (uint32_t)(band_px)) +   \
+     (uint32_t)(objects) * (GLINT_SHADOW_OBJECT_BYTES / 4) +                                                           \
+     ((uint32_t)(triangles) / 4 + (uint32_t)(objects)*16) * (GLINT_SHADOW_BOX_BYTES / 4) +                             \
+     ((uint32_t)(vertices)*3 + (uint32_t)(objects)) / 2)
 
 /* With a tolerance, this many words more for each object let its material keep a ramp of pixels (RGB565 without dither)
  * and a table of its highlight: faster, the same image. */

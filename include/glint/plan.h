@@ -20,15 +20,18 @@ extern "C" {
 
 /* Why a term is left out. */
 typedef enum glint_reason {
-    GLINT_NEEDED = 0,           /* it is not */
-    GLINT_REFLECTANCE_ZERO = 1, /* the material has no reflectance (or emission) for it */
-    GLINT_LIGHT_ZERO = 2,       /* the light, or the scene's ambient light, is black */
-    GLINT_NO_COMMON_COLOUR = 3, /* neither is black, but no channel has both: a blue light on a red surface */
-    GLINT_OUT_OF_RANGE = 4,     /* the whole object is at least the light's range away from it */
-    GLINT_OUTSIDE_CONE = 5,     /* the whole object is outside of the spot light's outer cone */
-    GLINT_NOT_IN_SCENE = 6,     /* the scene has none of it */
-    GLINT_IN_FRONT = 7,         /* the whole object is in front of where the fog begins */
-    GLINT_NOTHING_TO_COLOUR = 8 /* the texture has neither ambient nor diffuse light to multiply */
+    GLINT_NEEDED = 0,            /* it is not */
+    GLINT_REFLECTANCE_ZERO = 1,  /* the material has no reflectance (or emission) for it */
+    GLINT_LIGHT_ZERO = 2,        /* the light, or the scene's ambient light, is black */
+    GLINT_NO_COMMON_COLOUR = 3,  /* neither is black, but no channel has both: a blue light on a red surface */
+    GLINT_OUT_OF_RANGE = 4,      /* the whole object is at least the light's range away from it */
+    GLINT_OUTSIDE_CONE = 5,      /* the whole object is outside of the spot light's outer cone */
+    GLINT_NOT_IN_SCENE = 6,      /* the scene has none of it */
+    GLINT_IN_FRONT = 7,          /* the whole object is in front of where the fog begins */
+    GLINT_NOTHING_TO_COLOUR = 8, /* the texture has neither ambient nor diffuse light to multiply */
+    GLINT_NOT_CAST = 9,          /* shadows: the light casts none */
+    GLINT_NOT_TAKEN = 10,        /* shadows: the object takes none */
+    GLINT_NOTHING_CASTS = 11     /* shadows: no object of the scene casts any */
 } glint_reason;
 
 /* A sentence in English, never NULL. */
@@ -52,6 +55,7 @@ typedef struct glint_object_plan {
 
 typedef struct glint_light_plan {
     uint8_t diffuse, specular; /* glint_reason of each term */
+    uint8_t shadow;            /* glint_reason: shadows of this light may fall on the object, or why not */
     bool attenuation, cone;    /* if one of these is needed: its factors a (or w) and b are evaluated */
 } glint_light_plan;
 

@@ -87,6 +87,9 @@ typedef struct glint_report {
     uint32_t lights_folded;      /* sums over triangles: lights that share one interpolant, */
     uint32_t lights_culled;      /* and lights that do not reach any of it */
     uint32_t specular_triangles; /* on which a highlight may show */
+    uint32_t shadow_triangles;   /* on which some shadow may fall */
+    uint32_t shadow_tests;       /* shadows of single triangles that were filled in; again in each band */
+    uint32_t pixels_shadowed;    /* of those shaded: in the shadow of a light */
     uint16_t promise_q8;         /* greatest error promised for a pixel, 1/256 code; 65535: none is promised */
 } glint_report;
 

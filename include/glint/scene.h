@@ -61,6 +61,7 @@
 #ifndef GLINT_SCENE_H
 #define GLINT_SCENE_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include <glint/config.h>
@@ -99,6 +100,12 @@ enum {
     GLINT_TWO_SIDED = 2   /* both; where the inside is seen, the normal is taken the other way round */
 };
 
+/* What a surface has to do with shadows: bits of glint_material.shadows. */
+enum {
+    GLINT_CASTS_NO_SHADOW = 1, /* light passes through it unhindered */
+    GLINT_TAKES_NO_SHADOW = 2  /* it is lit as if nothing stood between it and the light */
+};
+
 /* 256 px */
 #define GLINT_MAX_WIRE_Q4 4096
 
@@ -117,6 +124,7 @@ typedef struct glint_material {
     glint_colour wire;            /* colour of the mesh's edges, see above; 0..1 */
     uint16_t wire_width_q4;       /* how wide they are, 1/16 px: 0 (none)..GLINT_MAX_WIRE_Q4 */
     const glint_texture *texture; /* T, by which r_a and r_d are multiplied, see <glint/texture.h>; NULL: none */
+    uint8_t shadows;              /* GLINT_CASTS_NO_SHADOW + GLINT_TAKES_NO_SHADOW; 0: casts and takes them */
 } glint_material;
 
 /*
@@ -190,10 +198,28 @@ typedef struct glint_attenuation {
  * each with the whole model: its own s, its own clamp at n.s = 0, its own attenuation (the lecture slides' "many light
  * sources to approximate an extended light source"). The renderer takes as few of them as make no visible difference,
  * see glint_plan_source() in <glint/plan.h>, at most `samples`. Edges or a radius of zero leave a segment or a point.
+ *
+ * Shadows. A light with `casts_shadows` adds neither diffuse nor specular light at a point from which a triangle hides
+ * it: one that the straight line from the point to the light (of a directional light: the ray towards it) meets. What
+ * counts is the triangle, not the side that it turns, and not the vertices' normals; it need not be seen, nor lie in
+ * front of the camera. A surface that lets light through hides it like any other, whatever its transmission. These do
+ * not hide the light:
+ *
+ *  - the triangle itself to which the point belongs, and what lies in its plane or touches it from behind;
+ *  - triangles of a material with GLINT_CASTS_NO_SHADOW;
+ *  - of the point's own object, if its material has the side GLINT_FRONT_SIDE: triangles that turn their outside to the
+ *    light. A point outside of a closed surface is in shadow all the same, since the line leaves the surface by a
+ *    triangle that turns its inside to the light; but a rounded surface, whose normals are lit a little beyond the edge
+ *    where its triangles turn away, does not get that edge as a jagged shadow.
+ *
+ * Shadows are hard: a point sees the light or does not. They are drawn in exact shading and within a tolerance; flat
+ * and Gouraud shading, which light corners and not points, leave them out. Directional, point and spot lights cast
+ * them; a panel or a ball that is to is refused (GLINT_ERROR_LIGHT_SHADOWS): its shadows would be soft.
  */
 typedef struct glint_light {
     uint8_t kind;
     uint8_t samples;         /* panel, ball: the greatest number of point lights that may stand for it, 1..64; 0: 16 */
+    bool casts_shadows;      /* see above; false: it shines through everything */
     int16_t direction[3];    /* directional, spot: the way the light travels (s = -direction); any length but 0 */
     int32_t position_q16[3]; /* all others: world position, Q16; |position_q16| <= 2^30 */
     glint_colour colour;     /* intensity in Q14: 0..1.99994, diffuse and specular alike */

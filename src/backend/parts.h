@@ -19,7 +19,8 @@
 #define PART_SIDES 256u  /* surfaces of which the inside is shown */
 #define PART_FINISH 512u /* what comes between shading and packing: fog, transmission, edges of the mesh */
 #define PART_TEXTURES 1024u
-#define PARTS_ALL 2047u
+#define PART_SHADOWS 2048u
+#define PARTS_ALL 4095u
 
 #ifndef BACKEND_PARTS
 #define BACKEND_PARTS PARTS_ALL

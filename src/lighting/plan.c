@@ -26,6 +26,12 @@ const char *glint_reason_text(int reason)
         return "the object is in front of it";
     case GLINT_NOTHING_TO_COLOUR:
         return "there is neither ambient nor diffuse light that it could colour";
+    case GLINT_NOT_CAST:
+        return "the light casts no shadows";
+    case GLINT_NOT_TAKEN:
+        return "the object takes no shadows";
+    case GLINT_NOTHING_CASTS:
+        return "no object casts a shadow";
     default:
         return "unknown reason";
     }
@@ -208,6 +214,25 @@ void glint_plan_object(const glint_scene *scene, uint16_t object, glint_object_p
     plan->fog = (uint8_t)(has_fog ? fog_reason(scene, &plan->bounds) : GLINT_NOT_IN_SCENE);
 }
 
+static bool anything_casts(const glint_scene *scene)
+{
+    for (uint16_t i = 0; i < scene->object_count; i++) {
+        if ((scene->objects[i].material->shadows & GLINT_CASTS_NO_SHADOW) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Of a light that adds something to the object: whether shadows may take it away. */
+static glint_reason shadow_reason(const glint_scene *scene, const glint_material *material, const glint_light *light)
+{
+    return !light->casts_shadows                              ? GLINT_NOT_CAST
+           : (material->shadows & GLINT_TAKES_NO_SHADOW) != 0 ? GLINT_NOT_TAKEN
+           : !anything_casts(scene)                           ? GLINT_NOTHING_CASTS
+                                                              : GLINT_NEEDED;
+}
+
 void glint_plan_light(const glint_scene *scene, uint16_t object, const glint_object_plan *of_object, uint16_t light,
                       glint_light_plan *plan)
 {
@@ -220,7 +245,12 @@ void glint_plan_light(const glint_scene *scene, uint16_t object, const glint_obj
     plan->attenuation =
         source->kind != GLINT_DIRECTIONAL &&
         (attenuation->range_q16 != 0 || (attenuation->k_q14[0] | attenuation->k_q14[1] | attenuation->k_q14[2]) != 0);
-    if ((plan->diffuse != GLINT_NEEDED && plan->specular != GLINT_NEEDED) || !has_reach(source)) {
+    plan->shadow = (uint8_t)shadow_reason(scene, material, source);
+    if (plan->diffuse != GLINT_NEEDED && plan->specular != GLINT_NEEDED) {
+        plan->shadow = plan->diffuse;
+        return;
+    }
+    if (!has_reach(source)) {
         return;
     }
     const apart a = apart_of(source, &of_object->bounds);
@@ -233,5 +263,6 @@ void glint_plan_light(const glint_scene *scene, uint16_t object, const glint_obj
     if (reason != GLINT_NEEDED) {
         plan->diffuse = (uint8_t)(plan->diffuse == GLINT_NEEDED ? (uint8_t)reason : plan->diffuse);
         plan->specular = (uint8_t)(plan->specular == GLINT_NEEDED ? (uint8_t)reason : plan->specular);
+        plan->shadow = (uint8_t)reason;
     }
 }

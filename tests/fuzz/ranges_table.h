@@ -112,6 +112,10 @@ static const documented_range documented[] = {
     {"luma q15", U32, 0, TWO(15), "display/pack.c"},
     {"fog shift", S32, 1, 51, "effects/fog.c"},
     {"wire edge", S64, BELOW(TWO(41)), "effects/wire.c"},
+
+    /* effects/ */
+    {"shadow position", S32, BELOW(TWO(29)), "effects/shadow.h"},
+    {"shadow vector", S32, WITHIN(TWO(29)), "effects/shadow_plane.h"},
 };
 
 enum { DOCUMENTED = sizeof documented / sizeof *documented };

@@ -21,6 +21,9 @@ static inline void full_plan_light(const glint_scene *scene, uint16_t object, co
 {
     glint_plan_light(scene, object, of_object, light, plan);
     plan->diffuse = plan->specular = GLINT_NEEDED;
+    if (scene->lights[light].casts_shadows && plan->shadow != GLINT_NOT_TAKEN) {
+        plan->shadow = GLINT_NEEDED;
+    }
 }
 
 /* Only where they are called: in parentheses the names stand for the library's. */

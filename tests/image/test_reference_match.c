@@ -8,8 +8,9 @@
 #define FACE_CODES 1.0  /* the same for flat and Gouraud shading */
 #define PLAIN_ABOVE 0   /* plain pixels more than 1 code from the reference's code */
 #define CONTESTED_UNMATCHED 0 /* contested pixels that agree with no triangle that meets there */
-#define CONTESTED_SHARE 0.005 /* of the frame, but for its texels */
+#define CONTESTED_SHARE 0.005 /* of the frame, but for its texels and shadows */
 #define TEXEL_SHARE 0.02      /* contested because of a texture: the edges of texels, steep or far reduced pictures */
+#define SHADOW_SHARE 0.05     /* of the frame: within a pixel of a shadow's edge, of one light or another */
 
 #include "tests/image/frame.h"
 
@@ -34,15 +35,16 @@ static void match(const demo_scene *demo, int shading, double codes, double shar
         reference_check(&image, f.pixels, 1, &verdict);
         const double texels = (double)verdict.contested_texel / verdict.pixels;
         printf("%-22s %s %d: max=%.3f mean=%.3f psnr=%.1f differing=%u of %u; contested=%.3f%% texel=%.3f%% "
-               "unmatched=%u\n",
+               "shadow=%.3f%% unmatched=%u\n",
                demo->name, frame_backend_name[backend], shading, verdict.max_codes, verdict.mean_codes, verdict.psnr_db,
                (unsigned)verdict.differing, (unsigned)verdict.pixels, 100 * verdict.contested_share - 100 * texels,
-               100 * texels, (unsigned)verdict.unmatched);
+               100 * texels, 100 * verdict.shadow_share, (unsigned)verdict.unmatched);
         assert_true(verdict.max_codes <= codes);
         assert_true(verdict.above <= PLAIN_ABOVE);
         assert_true(verdict.unmatched <= CONTESTED_UNMATCHED);
         assert_true(verdict.contested_share - texels < share);
         assert_true(texels <= (share < 1 ? TEXEL_SHARE : 1));
+        assert_true(verdict.shadow_share < (share < 1 ? SHADOW_SHARE : 1));
         frame_free(&f);
     }
     reference_free(&image);

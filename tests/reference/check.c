@@ -30,6 +30,10 @@ void reference_mask_codes(const reference_image *image, uint8_t *rgb8)
         rgb8[i * 3] = image->mask[i] & REFERENCE_EDGE ? 255 : 0;
         rgb8[i * 3 + 1] = image->mask[i] & REFERENCE_DEPTH ? 255 : 0;
         rgb8[i * 3 + 2] = image->mask[i] & (REFERENCE_TERMINATOR | REFERENCE_TEXEL) ? 255 : 0;
+        if ((image->mask[i] & REFERENCE_SHADOW) != 0) {
+            rgb8[i * 3 + 1] |= 128;
+            rgb8[i * 3 + 2] |= 128;
+        }
     }
 }
 
@@ -59,6 +63,7 @@ static bool agrees_with_any(const reference_image *image, int x, int y, const ui
 void reference_check(const reference_image *image, const uint8_t *rgb8, double max_codes, reference_verdict *v)
 {
     double sum = 0.0, square = 0.0;
+    uint32_t shadow_only = 0;
     memset(v, 0, sizeof *v);
     v->worst_x = v->worst_y = v->unmatched_x = v->unmatched_y = -1;
     v->max_codes = -1.0;
@@ -73,6 +78,8 @@ void reference_check(const reference_image *image, const uint8_t *rgb8, double m
             v->contested_depth += (image->mask[i] & REFERENCE_DEPTH) != 0;
             v->contested_terminator += (image->mask[i] & REFERENCE_TERMINATOR) != 0;
             v->contested_texel += (image->mask[i] & REFERENCE_TEXEL) != 0;
+            v->contested_shadow += (image->mask[i] & REFERENCE_SHADOW) != 0;
+            shadow_only += image->mask[i] == REFERENCE_SHADOW;
             if (!agrees_with_any(image, x, y, actual, max_codes) && v->unmatched++ == 0) {
                 v->unmatched_x = x;
                 v->unmatched_y = y;
@@ -102,5 +109,6 @@ void reference_check(const reference_image *image, const uint8_t *rgb8, double m
     v->max_codes = fmax(v->max_codes, 0.0);
     v->mean_codes = values > 0.0 ? sum / values : 0.0;
     v->psnr_db = square > 0.0 ? 10.0 * log10(255.0 * 255.0 * values / square) : (double)INFINITY;
-    v->contested_share = (double)v->contested / v->pixels;
+    v->contested_share = (double)(v->contested - shadow_only) / v->pixels;
+    v->shadow_share = (double)shadow_only / v->pixels;
 }

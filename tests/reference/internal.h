@@ -18,8 +18,10 @@
 /* Below this length a sum of unit normals has no direction that double precision could tell. */
 #define NORMAL_LEAST 1e-9
 
-/* Lights at whose terminator one surface point may stand, each with and without its specular term. */
+/* Lights at whose terminator one surface point may stand, each with and without its specular term; and lights at the
+ * edge of whose shadow, each hidden or not. */
 #define TERMINATOR_MAX 4
+#define SHADOW_MAX 4
 
 typedef struct vector {
     double x, y, z;
@@ -82,6 +84,7 @@ typedef struct surface {
     double diffuse[3], specular[3], emission[3], mirror[3];
     double exponent;
     bool blinn;
+    bool casts, takes; /* shadows */
     int sides;
     double transmission, grazing[3]; /* the first is in ambient .. emission already */
     bool grazes;
@@ -96,6 +99,7 @@ typedef struct lamp {
     bool is_area, is_ball; /* extended: a panel, unless it is a ball */
     vector edge[2];
     double radius;
+    bool casts; /* shadows */
     double colour[3];
     double k[3], unit, range;    /* attenuation; range 0: none */
     double cos_inner, cos_outer; /* of a spot's cones */
@@ -190,6 +194,7 @@ struct reference_detail {
     surface *surfaces; /* one an object */
     int lamp_count;
     lamp *lamps;
+    struct shadow_tree *shadows;
     int32_t *first; /* meeting of each pixel, -1: none */
     meeting *meetings;
     int32_t meeting_count, meeting_room;
@@ -261,13 +266,21 @@ void picture_range(const picture *p, const double low[2], const double high[2], 
 /* shade.c */
 /* max(0, r.c)^alpha, or with Blinn's h. */
 double shade_highlight(const surface *f, vector n, vector s, vector c);
+/* What the place of a surface point does not decide for good: the specular terms of lights at whose terminator it
+ * stands, and lights at the edge of whose shadow. Each is there when its bit of `on` is set, terminators first. */
+typedef struct undecided {
+    int terminator[TERMINATOR_MAX], shadow[SHADOW_MAX];
+    int terminator_count, shadow_count;
+    unsigned on;
+} undecided;
 /* The lights at whose terminator (point, normal) stands. Returns their number, at most TERMINATOR_MAX. */
 int shade_terminators(const reference_detail *d, const surface *f, vector point, vector normal,
                       int lights[TERMINATOR_MAX]);
-/* The model, the texture's colour being `texel`; NULL: 1. Of the `count` lights listed, light k's specular term is
- * there when bit k of `on` is set. */
-void shade_point(const reference_detail *d, const surface *f, vector point, vector normal, const int *lights, int count,
-                 unsigned on, const double *texel, double rgb[3]);
+/* The model, the texture's colour being `texel`; NULL: 1. `on`: the triangle that shadows fall on; NULL: there are
+ * none.
+ */
+void shade_point(const reference_detail *d, const surface *f, const triangle *on, vector point, vector normal,
+                 const undecided *u, const double *texel, double rgb[3]);
 void shade_triangle(const reference_detail *d, triangle *t);
 /* The colour of a triangle at a point of its screen polygon. variant: see shade_variants(); -1: the model's own. texel:
  * the texture's colour there, NULL: as it is. */
@@ -286,7 +299,17 @@ bool shade_texels(const reference_detail *d, const triangle *t, const corner *po
                   double most[3]);
 /* Does the texture's colour there depend on how vertices and texture coordinates are rounded? See reference.h. */
 bool shade_texel_contested(const reference_detail *d, const triangle *t, const corner *hit);
-/* In how many ways specular terms may be there or not: 1 where no terminator is near. */
-int shade_variants(const reference_detail *d, const triangle *t, const corner *anchor);
+/* In how many ways specular terms and lights may be there or not: 1 where no terminator and no shadow's edge is near.
+ * *mask gets REFERENCE_TERMINATOR and REFERENCE_SHADOW; it may be NULL. */
+int shade_variants(const reference_detail *d, const triangle *t, const corner *anchor, uint8_t *mask);
+
+/* shadow.c */
+/* 0, or -1 without memory. */
+int shadow_load(reference_detail *d);
+void shadow_free(struct shadow_tree *tree);
+/* Does something stand between the light and a point of the triangle? */
+bool shadow_hides(const reference_detail *d, const triangle *t, vector point, int light);
+/* Is an edge of the light's shadow so near that the library may be on its other side? */
+bool shadow_contested(const reference_detail *d, const triangle *t, const corner *at, int light);
 
 #endif

@@ -9,6 +9,7 @@
 void lamp_load(lamp *out, const glint_light *in)
 {
     const glint_attenuation *a = &in->attenuation;
+    out->casts = in->casts_shadows;
     out->is_spot = in->kind == GLINT_SPOT;
     out->has_place = in->kind != GLINT_DIRECTIONAL;
     out->is_ball = in->kind == GLINT_BALL;

@@ -116,7 +116,7 @@ bool layers_show(const reference_detail *d, const layer *list, int count, double
         double own[3], through;
         wire_state wire = shade_wire(d, t, list[k].hit.x, list[k].hit.y);
         doubt = doubt || list[k].doubtful || list[k].either_way || wire == WIRE_DOUBTFUL ||
-                shade_variants(d, t, &list[k].hit) > 1;
+                shade_variants(d, t, &list[k].hit, NULL) > 1;
         if (list[k].there) {
             shade_layer(d, t, &list[k].hit, &list[k].hit, -1, wire == WIRE_ON, NULL, own, &through);
             lay_over(rgb, own, through);
@@ -132,7 +132,7 @@ static void widen_by(const reference_detail *d, const layer *l, double x, double
     const triangle *t = &d->triangles[l->surface.triangle];
     const reference_candidate before = *range;
     corner region[MEET_REGION_MAX + 1];
-    int points = meet_region(t, x, y, d->options.edge_px, region), variants = shade_variants(d, t, &l->hit);
+    int points = meet_region(t, x, y, d->options.edge_px, region), variants = shade_variants(d, t, &l->hit, NULL);
     wire_state wire = shade_wire(d, t, l->hit.x, l->hit.y);
     double texel[2][3];
     bool first = !l->doubtful;

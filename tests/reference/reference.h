@@ -37,6 +37,15 @@
  * over each other in the order of their depths; where a renderer's order may differ is in <glint/scene.h>. What is said
  * above of candidates is of the opaque surfaces.
  *
+ * REFERENCE_SHADOW: for the surface seen there, a light that would change the colour by more than 1/1000 code is hidden
+ * at the centre and not at some point of the same plane that is seen within options.shadow_px, or the other way round;
+ * or the light lies in that plane, |s.n_face| < options.terminator. Twenty-four points about the centre are looked at,
+ * in eight directions, at 1, 1/8 and 1/64 of that distance.
+ *
+ * A shadow: a ray from the point to the light meets a triangle that casts, by the rules of glint_light in
+ * <glint/scene.h>. It counts from a millionth of the point's distance to the eye on, so that surfaces that touch throw
+ * no shadow on each other where they do.
+ *
  * Gouraud shading of a triangle that the near plane cuts: the polygon that remains (Sutherland-Hodgman, started at
  * corner 0) has at its new corners the colour that is linear in space between the old corners; it is divided into
  * a fan from its first corner, and the colour is linear on the screen in each part.
@@ -54,7 +63,14 @@
 #include <glint/scene.h>
 
 /* Bits of a pixel's mask. */
-enum { REFERENCE_EDGE = 1, REFERENCE_DEPTH = 2, REFERENCE_TERMINATOR = 4, REFERENCE_LAYER = 8, REFERENCE_TEXEL = 16 };
+enum {
+    REFERENCE_EDGE = 1,
+    REFERENCE_DEPTH = 2,
+    REFERENCE_TERMINATOR = 4,
+    REFERENCE_LAYER = 8,
+    REFERENCE_TEXEL = 16,
+    REFERENCE_SHADOW = 32
+};
 
 /* Zero fields mean the stated defaults; a negative one means zero. */
 typedef struct reference_options {
@@ -63,6 +79,7 @@ typedef struct reference_options {
     double terminator;  /* default 1e-4 */
     double texel_px;    /* default 1/4096 px */
     double texels;      /* default 1/4096 texel */
+    double shadow_px;   /* default 1 px */
 } reference_options;
 
 typedef struct reference_detail reference_detail;
@@ -107,7 +124,8 @@ int reference_candidates(const reference_image *image, int x, int y, reference_c
 /* round(255 L) of every pixel, 3 bytes each: the reference as a picture. */
 void reference_codes(const reference_image *image, uint8_t *rgb8);
 
-/* The mask as a picture, 3 bytes a pixel: 255 in red, green, blue for edge, depth, terminator or texel. */
+/* The mask as a picture, 3 bytes a pixel: 255 in red, green, blue for edge, depth, terminator or texel; 128 in green
+ * and blue for shadow. */
 void reference_mask_codes(const reference_image *image, uint8_t *rgb8);
 
 typedef struct reference_verdict {
@@ -122,8 +140,9 @@ typedef struct reference_verdict {
     int worst_x, worst_y;         /* where max_codes is; -1 when all pixels are contested */
 
     /* contested pixels */
-    uint32_t contested, contested_edge, contested_depth, contested_terminator, contested_texel;
-    double contested_share; /* of all pixels, 0..1 */
+    uint32_t contested, contested_edge, contested_depth, contested_terminator, contested_texel, contested_shadow;
+    double contested_share; /* of all pixels, 0..1, but those that are so for shadows only */
+    double shadow_share;    /* those */
     uint32_t unmatched;     /* that agree with no candidate: a channel is outside of low..high by more than the limit
                              * and 0.5 (for the rounding to a whole code) */
     int unmatched_x, unmatched_y; /* the first of them; -1 when there is none */

@@ -22,6 +22,7 @@ static void free_detail(reference_detail *d)
         free(d->meetings);
         free(d->contenders);
         free(d->layers);
+        shadow_free(d->shadows);
         free(d);
     }
 }
@@ -66,12 +67,12 @@ static void draw_opaque(reference_image *image, int x, int y, size_t at, int fro
     if (shade_wire(d, t, hit.x, hit.y) == WIRE_DOUBTFUL) {
         image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_EDGE);
     }
+    uint8_t mask;
     if (shade_texel_contested(d, t, &hit)) {
         image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_TEXEL);
     }
-    if (shade_variants(d, t, &hit) > 1) {
-        image->mask[at] = (uint8_t)(image->mask[at] | REFERENCE_TERMINATOR);
-    }
+    (void)shade_variants(d, t, &hit, &mask);
+    image->mask[at] = (uint8_t)(image->mask[at] | mask);
 }
 
 static void draw_pixel(reference_image *image, int x, int y)
@@ -140,9 +141,13 @@ int reference_render_with(const glint_scene *scene, int width, int height, int s
     d->options.terminator = option(options ? options->terminator : 0.0, 1e-4);
     d->options.texel_px = option(options ? options->texel_px : 0.0, 1.0 / 4096.0);
     d->options.texels = option(options ? options->texels : 0.0, 1.0 / 4096.0);
+    d->options.shadow_px = option(options ? options->shadow_px : 0.0, 1.0);
 
     if (view_load(d, scene, error, error_bytes)) {
         return fail(out, error, error_bytes, NULL);
+    }
+    if (shadow_load(d)) {
+        return fail(out, error, error_bytes, "no memory for shadows");
     }
     for (int32_t i = 0; i < d->triangle_count; i++) {
         shade_triangle(d, &d->triangles[i]);
@@ -178,7 +183,8 @@ static int triangle_candidates(const reference_detail *d, const contender *c, in
 {
     const triangle *t = &d->triangles[c->triangle];
     corner region[MEET_REGION_MAX + 1], anchor = seen_at(d, c, x + 0.5, y + 0.5);
-    int points = meet_region(t, x + 0.5, y + 0.5, d->options.edge_px, region), variants = shade_variants(d, t, &anchor);
+    int points = meet_region(t, x + 0.5, y + 0.5, d->options.edge_px, region);
+    int variants = shade_variants(d, t, &anchor, NULL);
     double texel[2][3];
     region[points++] = anchor;
     wire_state wire = shade_wire(d, t, anchor.x, anchor.y);

@@ -8,6 +8,8 @@
 
 /* A texture's colour that changes the pixel by more than this is contested: see reference.h. */
 #define TEXEL_CODES 0.3
+/* A change of colour that counts for none. */
+#define NOTHING (0.001 / 255.0)
 
 static double clamp01(double v)
 {
@@ -29,9 +31,22 @@ double shade_highlight(const surface *f, vector n, vector s, vector c)
     return pow(cosine > 0.0 ? cosine : 0.0, f->exponent); /* C99: pow(0, 0) is 1 */
 }
 
+static bool light_seen(const reference_detail *d, const triangle *on, vector point, const undecided *u, int light)
+{
+    if (on == NULL || !d->lamps[light].casts) {
+        return true;
+    }
+    for (int k = 0; k < u->shadow_count; k++) {
+        if (u->shadow[k] == light) {
+            return (u->on >> (u->terminator_count + k) & 1u) != 0;
+        }
+    }
+    return !shadow_hides(d, on, point, light);
+}
+
 /* The model in two parts: what a texture multiplies, and the rest. */
-static void light_parts(const reference_detail *d, const surface *f, vector point, vector normal, const int *lights,
-                        int count, unsigned on, double coloured[3], double plain[3])
+static void light_parts(const reference_detail *d, const surface *f, const triangle *on, vector point, vector normal,
+                        const undecided *u, double coloured[3], double plain[3])
 {
     vector c = unit(minus(d->eye, point));
     if (length(normal) == 0.0) {
@@ -65,10 +80,13 @@ static void light_parts(const reference_detail *d, const surface *f, vector poin
         }
         double ns = dot(normal, s);
         bool lit = ns > 0.0;
-        for (int k = 0; k < count; k++) {
-            if (lights[k] == j) {
-                lit = (on >> k & 1u) != 0;
+        for (int k = 0; k < u->terminator_count; k++) {
+            if (u->terminator[k] == j) {
+                lit = (u->on >> k & 1u) != 0;
             }
+        }
+        if ((ns <= 0.0 && !lit) || !light_seen(d, on, point, u, j)) {
+            continue;
         }
         double specular = lit ? shade_highlight(f, normal, s, c) : 0.0, factor = lamp_factor(l, point, s);
         for (int k = 0; k < 3; k++) {
@@ -78,21 +96,21 @@ static void light_parts(const reference_detail *d, const surface *f, vector poin
     }
 }
 
-void shade_point(const reference_detail *d, const surface *f, vector point, vector normal, const int *lights, int count,
-                 unsigned on, const double *texel, double rgb[3])
+void shade_point(const reference_detail *d, const surface *f, const triangle *on, vector point, vector normal,
+                 const undecided *u, const double *texel, double rgb[3])
 {
     double coloured[3], plain[3];
-    light_parts(d, f, point, normal, lights, count, on, coloured, plain);
+    light_parts(d, f, on, point, normal, u, coloured, plain);
     for (int k = 0; k < 3; k++) {
         rgb[k] = clamp01((texel ? texel[k] : 1.0) * coloured[k] + plain[k]);
     }
 }
 
 /* For shadings that light a triangle's corners or its centroid: both parts, each clamped. Without a texture the sum. */
-static void shade_face(const reference_detail *d, const surface *f, vector point, vector normal, const int *lights,
-                       int count, unsigned on, double coloured[3], double plain[3])
+static void shade_face(const reference_detail *d, const surface *f, vector point, vector normal, const undecided *u,
+                       double coloured[3], double plain[3])
 {
-    light_parts(d, f, point, normal, lights, count, on, coloured, plain);
+    light_parts(d, f, NULL, point, normal, u, coloured, plain);
     for (int k = 0; k < 3; k++) {
         if (f->texture.rgb) {
             coloured[k] = clamp01(coloured[k]);
@@ -119,13 +137,15 @@ int shade_terminators(const reference_detail *d, const surface *f, vector point,
         /* over an extended source the term ends gradually */
         if (!d->lamps[j].is_area && lamp_toward(&d->lamps[j], point, &s) &&
             fabs(dot(normal, s)) < d->options.terminator) {
+            undecided u = {.terminator = {j}, .terminator_count = 1, .on = 1u};
             double with[3], without[3], change = 0.0;
-            shade_point(d, f, point, normal, &j, 1, 1u, texel, with);
-            shade_point(d, f, point, normal, &j, 1, 0u, texel, without);
+            shade_point(d, f, NULL, point, normal, &u, texel, with);
+            u.on = 0u;
+            shade_point(d, f, NULL, point, normal, &u, texel, without);
             for (int k = 0; k < 3; k++) {
                 change = fmax(change, with[k] - without[k]);
             }
-            if (change > 0.001 / 255.0) {
+            if (change > NOTHING) {
                 lights[count++] = j;
             }
         }
@@ -167,33 +187,65 @@ static int gouraud_terminators(const reference_detail *d, const triangle *t, int
 void shade_triangle(const reference_detail *d, triangle *t)
 {
     const surface *f = &d->surfaces[t->object];
+    const undecided nothing = {.on = 0u};
     int lights[TERMINATOR_MAX];
     t->has_terminator = false;
     if (d->shading == GLINT_SHADING_GOURAUD) {
         for (int i = 0; i < 3; i++) {
-            shade_face(d, f, t->world[i], t->normal[i], NULL, 0, 0u, t->corner_colour[i], t->corner_plain[i]);
+            shade_face(d, f, t->world[i], t->normal[i], &nothing, t->corner_colour[i], t->corner_plain[i]);
             t->has_terminator = t->has_terminator || gouraud_terminators(d, t, i, lights) > 0;
         }
     } else if (d->shading == GLINT_SHADING_FLAT) {
-        shade_face(d, f, centroid(t), t->face, NULL, 0, 0u, t->flat_colour, t->flat_plain);
+        shade_face(d, f, centroid(t), t->face, &nothing, t->flat_colour, t->flat_plain);
         t->has_terminator = shade_terminators(d, f, centroid(t), t->face, lights) > 0;
     }
 }
 
-/* Variants are numbered in bits: exact and flat: bit k for light k of those at their terminator; Gouraud: bit i for all
- * such lights of corner i together. */
-int shade_variants(const reference_detail *d, const triangle *t, const corner *anchor)
+/* Can the light change the colour there? */
+static bool light_matters(const reference_detail *d, const surface *f, vector point, vector normal, int light)
 {
-    int lights[TERMINATOR_MAX], count;
-    vector point = centroid(t), normal = t->face;
-    if (d->shading == GLINT_SHADING_GOURAUD) {
-        return t->has_terminator ? 8 : 1;
+    const lamp *l = &d->lamps[light];
+    vector s;
+    double ns = 0.0, most = 0.0;
+    if (!lamp_toward(l, point, &s) || (ns = dot(normal, s)) < -d->options.terminator) {
+        return false;
     }
+    for (int k = 0; k < 3; k++) {
+        most = fmax(most, lamp_factor(l, point, s) * l->colour[k] * (f->diffuse[k] * fmax(ns, 0.0) + f->specular[k]));
+    }
+    return most > NOTHING;
+}
+
+/* What is undecided at a point of exact or flat shading. */
+static void leave_open(const reference_detail *d, const triangle *t, const corner *anchor, undecided *u)
+{
+    const surface *f = &d->surfaces[t->object];
+    vector point = centroid(t), normal = t->face;
+    memset(u, 0, sizeof *u);
     if (d->shading == GLINT_SHADING_EXACT) {
         exact_point(t, anchor, &point, &normal);
     }
-    count = shade_terminators(d, &d->surfaces[t->object], point, normal, lights);
-    return 1 << count;
+    u->terminator_count = shade_terminators(d, f, point, normal, u->terminator);
+    for (int j = 0; d->shading == GLINT_SHADING_EXACT && j < d->lamp_count && u->shadow_count < SHADOW_MAX; j++) {
+        if (d->lamps[j].casts && light_matters(d, f, point, normal, j) && shadow_contested(d, t, anchor, j)) {
+            u->shadow[u->shadow_count++] = j;
+        }
+    }
+}
+
+/* Variants are numbered in bits: exact and flat: those of what is undecided; Gouraud: bit i for all lights together at
+ * whose terminator corner i stands. */
+int shade_variants(const reference_detail *d, const triangle *t, const corner *anchor, uint8_t *mask)
+{
+    undecided u = {.terminator_count = d->shading == GLINT_SHADING_GOURAUD && t->has_terminator ? 3 : 0};
+    if (d->shading != GLINT_SHADING_GOURAUD) {
+        leave_open(d, t, anchor, &u);
+    }
+    if (mask) {
+        *mask = (uint8_t)((u.terminator_count > 0 ? REFERENCE_TERMINATOR : 0) |
+                          (u.shadow_count > 0 ? REFERENCE_SHADOW : 0));
+    }
+    return 1 << (u.terminator_count + u.shadow_count);
 }
 
 static void gouraud(const reference_detail *d, const triangle *t, const corner *where, int variant, double rgb[3],
@@ -210,9 +262,9 @@ static void gouraud(const reference_detail *d, const triangle *t, const corner *
         memcpy(at_corner, t->corner_colour[i], sizeof at_corner);
         memcpy(plain_there, t->corner_plain[i], sizeof plain_there);
         if (variant >= 0 && t->has_terminator) {
-            int lights[TERMINATOR_MAX], count = gouraud_terminators(d, t, i, lights);
-            shade_face(d, &d->surfaces[t->object], t->world[i], t->normal[i], lights, count,
-                       variant >> i & 1 ? ~0u : 0u, at_corner, plain_there);
+            undecided u = {.on = variant >> i & 1 ? ~0u : 0u};
+            u.terminator_count = gouraud_terminators(d, t, i, u.terminator);
+            shade_face(d, &d->surfaces[t->object], t->world[i], t->normal[i], &u, at_corner, plain_there);
         }
         for (int k = 0; k < 3; k++) {
             rgb[k] += weight[i] / sum * at_corner[k];
@@ -261,8 +313,7 @@ static void unfogged(const reference_detail *d, const triangle *t, const corner 
                      int variant, const double *texel, double rgb[3])
 {
     const surface *f = &d->surfaces[t->object];
-    int lights[TERMINATOR_MAX], count = 0;
-    unsigned on = (unsigned)variant;
+    undecided u = {.on = 0u};
     vector point, normal;
     double sampled[3] = {1.0, 1.0, 1.0}, plain[3];
     if (f->texture.rgb && !texel) {
@@ -271,13 +322,13 @@ static void unfogged(const reference_detail *d, const triangle *t, const corner 
         picture_at(&f->texture, uv, sampled);
     }
     texel = texel ? texel : sampled;
+    if (variant >= 0 && d->shading != GLINT_SHADING_GOURAUD) {
+        leave_open(d, t, anchor, &u);
+        u.on = (unsigned)variant;
+    }
     if (d->shading == GLINT_SHADING_EXACT) {
-        if (variant >= 0) {
-            exact_point(t, anchor, &point, &normal);
-            count = shade_terminators(d, f, point, normal, lights);
-        }
         exact_point(t, where, &point, &normal);
-        shade_point(d, f, point, normal, lights, count, on, texel, rgb);
+        shade_point(d, f, t, point, normal, &u, texel, rgb);
         return;
     }
     if (d->shading == GLINT_SHADING_GOURAUD) {
@@ -286,9 +337,7 @@ static void unfogged(const reference_detail *d, const triangle *t, const corner 
         memcpy(rgb, t->flat_colour, sizeof t->flat_colour);
         memcpy(plain, t->flat_plain, sizeof plain);
     } else {
-        point = centroid(t);
-        count = shade_terminators(d, f, point, t->face, lights);
-        shade_face(d, f, point, t->face, lights, count, on, rgb, plain);
+        shade_face(d, f, centroid(t), t->face, &u, rgb, plain);
     }
     for (int k = 0; k < 3; k++) {
         rgb[k] = clamp01(texel[k] * rgb[k] + plain[k]);

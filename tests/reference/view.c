@@ -59,6 +59,8 @@ static void load_surface(surface *out, const glint_material *in, const glint_sce
     from_colour(in->emission, out->emission);
     from_colour(in->mirror, out->mirror);
     out->sides = in->sides;
+    out->casts = (in->shadows & GLINT_CASTS_NO_SHADOW) == 0;
+    out->takes = (in->shadows & GLINT_TAKES_NO_SHADOW) == 0;
     from_colour(in->diffuse, out->diffuse);
     out->transmission = in->transmission_q14 / Q14;
     from_colour(in->grazing, out->grazing);

@@ -26,6 +26,11 @@
 #define SELFTEST_FLOAT_FRAMES 1
 #endif
 
+/* 0 leaves shadows out, for a backend without that part. */
+#ifndef SELFTEST_SHADOWS
+#define SELFTEST_SHADOWS 1
+#endif
+
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -51,7 +56,7 @@ void selftest_counts(void);
 void selftest_draw_counted(bool in_float);
 
 /* selftest_scenes.c */
-extern const glint_scene selftest_room, selftest_mirror;
+extern const glint_scene selftest_room, selftest_mirror, selftest_shadows;
 
 /* The pictures whose pixels are printed, for check.c to compare with the reference. */
 typedef struct selftest_picture {

@@ -41,6 +41,9 @@ static const frame_case cases[] = {
     {"sphere-mono-bayer", &demo_sphere_10x6, 48, 32, 8, GLINT_MONO_PAGES, GLINT_DITHER_BAYER, GLINT_SHADING_EXACT,
      false},
     {"room-grey8", &selftest_room, 32, 24, 8, GLINT_GREY8, GLINT_DITHER_NONE, GLINT_SHADING_EXACT, true},
+#if SELFTEST_SHADOWS
+    {"shadows-grey8", &selftest_shadows, 32, 24, 6, GLINT_GREY8, GLINT_DITHER_NONE, GLINT_SHADING_EXACT, true},
+#endif
     {"room-mono-flat", &selftest_room, 48, 32, 16, GLINT_MONO_PAGES, GLINT_DITHER_NONE, GLINT_SHADING_FLAT, false},
 };
 

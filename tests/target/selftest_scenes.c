@@ -134,8 +134,26 @@ static const glint_scene selftest_floor = {
     .ambient = COLOUR(130, 130, 150),
     .background = COLOUR(100, 140, 200),
 };
-
 #endif
+
+/* The same with shadows of both lights: the floor runs behind the eye. */
+static const glint_light casting_lights[] = {
+    {.kind = GLINT_POINT,
+     .position_q16 = POINT(-200, 1900, 1300),
+     .colour = COLOUR(900, 850, 700),
+     .casts_shadows = true},
+    {.kind = GLINT_DIRECTIONAL, .direction = {-5, -6, -10}, .colour = COLOUR(250, 300, 450), .casts_shadows = true},
+};
+
+const glint_scene selftest_shadows = {
+    .camera = &camera,
+    .objects = objects,
+    .lights = casting_lights,
+    .object_count = LENGTH_OF(objects),
+    .light_count = LENGTH_OF(casting_lights),
+    .ambient = COLOUR(130, 130, 150),
+    .background = COLOUR(100, 140, 200),
+};
 
 const selftest_picture selftest_pictures[SELFTEST_PICTURES] = {
     {"sphere-exact", &demo_sphere_10x6, 48, 32, 0, GLINT_SHADING_EXACT},

@@ -6,7 +6,8 @@
 #include "backend/parts.h"
 
 #ifndef SMALL_PARTS
-#define SMALL_PARTS (PARTS_ALL & ~PART_TIERS)
+#define SMALL_PARTS (PARTS_ALL & ~(PART_TIERS | PART_SKY | PART_SIDES | PART_FINISH)) /* which the self-test has not   \
+                                                                                       */
 #endif
 #undef BACKEND_PARTS
 #define BACKEND_PARTS SMALL_PARTS

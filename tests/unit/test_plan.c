@@ -170,11 +170,11 @@ static void test_reasons(void **state)
     assert_int_equal(of_object.sky, GLINT_NO_COMMON_COLOUR);
     assert_int_equal(of_object.ground, GLINT_LIGHT_ZERO);
     assert_int_equal(of_object.emission, GLINT_NEEDED);
-    for (int reason = GLINT_NEEDED; reason <= GLINT_NOTHING_TO_COLOUR; reason++) {
+    for (int reason = GLINT_NEEDED; reason <= GLINT_NOTHING_CASTS; reason++) {
         assert_string_not_equal(glint_reason_text(reason), "unknown reason");
     }
     assert_string_equal(glint_reason_text(-1), "unknown reason");
-    assert_string_equal(glint_reason_text(GLINT_NOTHING_TO_COLOUR + 1), "unknown reason");
+    assert_string_equal(glint_reason_text(GLINT_NOTHING_CASTS + 1), "unknown reason");
 }
 
 static uint8_t texture_reason(const board *b)
@@ -206,12 +206,45 @@ static void test_reasons_of_textures(void **state)
     assert_int_equal(texture_reason(&b), GLINT_NOTHING_TO_COLOUR);
 }
 
+static uint8_t shadow_reason(const board *b)
+{
+    glint_object_plan of_object;
+    glint_light_plan plan;
+    glint_plan_object(&b->scene, 0, &of_object);
+    glint_plan_light(&b->scene, 0, &of_object, 0, &plan);
+    return plan.shadow;
+}
+
+static void test_reasons_of_shadows(void **state)
+{
+    (void)state;
+    board b;
+    board_set_up(&b);
+    b.light[0].casts_shadows = true;
+    assert_int_equal(shadow_reason(&b), GLINT_REFLECTANCE_ZERO);
+    b.material.diffuse = board_grey(9000);
+    assert_int_equal(shadow_reason(&b), GLINT_NEEDED);
+    b.material.shadows = GLINT_TAKES_NO_SHADOW;
+    assert_int_equal(shadow_reason(&b), GLINT_NOT_TAKEN);
+    b.material.shadows = GLINT_CASTS_NO_SHADOW;
+    assert_int_equal(shadow_reason(&b), GLINT_NOTHING_CASTS);
+    b.material.shadows = 0;
+    b.light[0].casts_shadows = false;
+    assert_int_equal(shadow_reason(&b), GLINT_NOT_CAST);
+    b.light[0].casts_shadows = true;
+    b.light[0].kind = GLINT_POINT;
+    b.light[0].position_q16[2] = BOARD_Q16(50);
+    b.light[0].attenuation.range_q16 = BOARD_Q16(1);
+    assert_int_equal(shadow_reason(&b), GLINT_OUT_OF_RANGE);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_what_is_left_out_does_not_arrive),
         cmocka_unit_test(test_reasons),
         cmocka_unit_test(test_reasons_of_textures),
+        cmocka_unit_test(test_reasons_of_shadows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -280,6 +280,8 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(wire_widest, w->b.material.wire_width_q4 = 65535, GLINT_ERROR_WIRE)                                              \
     X(wire_high, w->b.material.wire.r_q14 = 16385, GLINT_ERROR_WIRE)                                                   \
     X(wire_low, w->b.material.wire.b_q14 = -1, GLINT_ERROR_WIRE)                                                       \
+    X(shadows_4, w->b.material.shadows = 4, GLINT_ERROR_SHADOWS)                                                       \
+    X(shadows_255, w->b.material.shadows = 255, GLINT_ERROR_SHADOWS)                                                   \
     X(sides_3, w->b.material.sides = GLINT_TWO_SIDED + 1, GLINT_ERROR_SIDES)                                           \
     X(spot_direction_0, (set_spot(w, 0, 16384), w->b.light[1].direction[2] = 0), GLINT_ERROR_LIGHT_DIRECTION)          \
     X(spot_position_high, (set_spot(w, 0, 16384), w->b.light[1].position_q16[1] = (1 << 30) + 1),                      \
@@ -293,6 +295,8 @@ static void set_buffers(world *w, uint8_t count, bool transfers)
     X(ball_radius_least, set_ball(w, INT32_MIN, 0), GLINT_ERROR_LIGHT_EXTENT)                                          \
     X(ball_reaches_far, set_ball(w, 1 << 30, 1), GLINT_ERROR_LIGHT_EXTENT)                                             \
     X(ball_position_high, set_ball(w, 0, (1 << 30) + 1), GLINT_ERROR_LIGHT_POSITION)                                   \
+    X(ball_with_shadows, (set_ball(w, 1 << 16, 0), w->b.light[1].casts_shadows = true), GLINT_ERROR_LIGHT_SHADOWS)     \
+    X(panel_with_shadows, (set_panel(w, 1, 1, 0), w->b.light[1].casts_shadows = true), GLINT_ERROR_LIGHT_SHADOWS)      \
     X(ball_samples_65, (set_ball(w, 1 << 16, 0), w->b.light[1].samples = 65), GLINT_ERROR_LIGHT_SAMPLES)               \
     X(panel_reaches_far, set_panel(w, 1 << 29, -(1 << 29), 1), GLINT_ERROR_LIGHT_EXTENT)                               \
     X(panel_edges_wrap, set_panel(w, INT32_MIN, INT32_MIN, 0), GLINT_ERROR_LIGHT_EXTENT)                               \
@@ -612,7 +616,7 @@ static void test_each_code_has_its_own_sentence(void **state)
 static void expect_words_bound(const demo_scene *demo, const glint_display *d)
 {
     const glint_scene *const scene = demo->scene;
-    uint32_t vertices = 0, triangles = 0, lights = 0, reaches = 0, mirrors = 0;
+    uint32_t vertices = 0, triangles = 0, lights = 0, reaches = 0, mirrors = 0, casting = 0;
     bool textured = false;
     for (uint16_t i = 0; i < scene->object_count; i++) {
         vertices += scene->objects[i].mesh->vertex_count;
@@ -625,6 +629,7 @@ static void expect_words_bound(const demo_scene *demo, const glint_display *d)
     for (uint16_t i = 0; i < scene->light_count; i++) {
         const glint_light *light = &scene->lights[i];
         const glint_attenuation *a = &light->attenuation;
+        casting += light->casts_shadows;
         const uint32_t points = light->kind < GLINT_PANEL ? 1 : light->samples ? light->samples : 16;
         lights += points;
         if (light->kind == GLINT_SPOT || a->range_q16 != 0 || (a->k_q14[0] | a->k_q14[1] | a->k_q14[2]) != 0) {
@@ -635,7 +640,10 @@ static void expect_words_bound(const demo_scene *demo, const glint_display *d)
         (size_t)4 * (GLINT_MEMORY_WORDS(d->width_px, d->height_px, d->band_px, d->format, d->buffer_count, vertices,
                                         triangles, scene->object_count, lights) +
                      scene->object_count * reaches * GLINT_REACH_WORDS + mirrors * GLINT_MIRROR_WORDS +
-                     (textured ? GLINT_TEXTURE_WORDS : 0));
+                     (textured ? GLINT_TEXTURE_WORDS : 0) +
+                     (casting == 0 ? 0
+                                   : GLINT_SHADOW_WORDS(d->width_px, d->band_px, vertices, triangles,
+                                                        scene->object_count, lights, casting)));
     const double more = WORDS_A_LIGHT * lights * scene->object_count;
     for (int b = 0; b < BACKENDS; b++) {
         const size_t bytes = backends[b].memory_bytes(scene, d);

@@ -61,7 +61,8 @@ static bool has(const variant *v, const glint_scene *scene)
         const glint_light *light = &scene->lights[i];
         const glint_attenuation *a = &light->attenuation;
         const bool attenuated = a->range_q16 != 0 || a->k_q14[0] != 0 || a->k_q14[1] != 0 || a->k_q14[2] != 0;
-        all = all && (light->kind == GLINT_DIRECTIONAL || (v->points && light->kind == GLINT_POINT && !attenuated));
+        all = all && !light->casts_shadows &&
+              (light->kind == GLINT_DIRECTIONAL || (v->points && light->kind == GLINT_POINT && !attenuated));
     }
     for (uint16_t i = 0; i < scene->object_count; i++) {
         const glint_material *m = scene->objects[i].material;

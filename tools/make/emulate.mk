@@ -14,7 +14,7 @@ s390x_CC := s390x-linux-gnu-gcc
 s390x_FLAGS := -Wno-double-promotion
 i686_CC := i686-linux-gnu-gcc
 # Both backends and the self-test do not fit the AVR's 128 KB: its float routines are tested there, its float frames not,
-# and its fixed frames without the tiers, of which the self-test asks for none. Inlining makes its code a sixth larger.
+# and its fixed frames without the parts that the self-test does not ask for. Inlining makes its code a sixth larger.
 avr_LEVEL := -Os -fno-inline -mcall-prologues -mrelax -mstrict-X -fno-move-loop-invariants -DSELFTEST_FLOAT_FRAMES=0
 
 # What stands beside the self-test on each, and how it is linked.
