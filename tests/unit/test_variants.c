@@ -121,6 +121,12 @@ static void test_what_has_no_part_is_refused(void **state)
             }
             assert_int_equal(draw(variants[k].whole, &b.scene, &asked[i], pictures[0]), GLINT_OK);
         }
+        const glint_quality exact = {.shading = GLINT_SHADING_EXACT};
+        b.material.specular = board_grey(0);
+        assert_int_equal(draw(variants[k].render, &b.scene, &exact, pictures[0]), GLINT_OK);
+        b.light[0].casts_shadows = true;
+        assert_int_equal(draw(variants[k].render, &b.scene, &exact, pictures[0]), GLINT_ERROR_PART);
+        assert_int_equal(draw(variants[k].whole, &b.scene, &exact, pictures[0]), GLINT_OK);
     }
 }
 
