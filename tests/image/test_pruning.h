@@ -68,7 +68,7 @@ static void compare(tally *t, const char *name, const glint_scene *scene, uint16
         glint_object_plan of_object;
         (glint_plan_object)(scene, i, &of_object);
         for (uint16_t k = 0; k < scene->light_count; k++) {
-            glint_light_plan plan = {GLINT_NEEDED, GLINT_NEEDED, false, false};
+            glint_light_plan plan = {.diffuse = GLINT_NEEDED, .specular = GLINT_NEEDED};
             (glint_plan_light)(scene, i, &of_object, k, &plan);
             /* cppcheck-suppress uninitvar ; set here */
             t->terms_left_out += plan.diffuse != GLINT_NEEDED;

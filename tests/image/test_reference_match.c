@@ -114,13 +114,14 @@ static void test_clipped_scenes_within_one_code(void **state)
     }
 }
 
-/* Textured surfaces that mirror, are seen from both sides, let light through, have a wire, stand in fog; one by one and
- * all together. */
+/* Textured surfaces that mirror, are seen from both sides, let light through, have a wire, stand in fog, in shadow; one
+ * by one and all together. */
 static void test_textures_among_effects_within_one_code(void **state)
 {
     (void)state;
-    enum { MIRROR = 1, SIDES = 2, THROUGH = 4, GRAZING = 8, WIRE = 16, FOG = 32, SKY = 64, ALL = 127 };
-    static const int effects[] = {MIRROR, SIDES, THROUGH, THROUGH | SIDES, THROUGH | GRAZING, WIRE, FOG, SKY, ALL};
+    enum { MIRROR = 1, SIDES = 2, THROUGH = 4, GRAZING = 8, WIRE = 16, FOG = 32, SKY = 64, SHADOWS = 128, ALL = 255 };
+    static const int effects[] = {MIRROR,  SIDES,         THROUGH, THROUGH | SIDES, THROUGH | GRAZING, WIRE, FOG, SKY,
+                                  SHADOWS, SHADOWS | FOG, ALL};
     static const char *const names[] = {"tiles", "planet"};
     static const int shadings[] = {GLINT_SHADING_EXACT, GLINT_SHADING_GOURAUD, GLINT_SHADING_FLAT};
     for (size_t n = 0; n < 2 * sizeof effects / sizeof *effects; n++) {
@@ -129,7 +130,13 @@ static void test_textures_among_effects_within_one_code(void **state)
         glint_scene scene = *demo->scene;
         glint_object objects[3];
         glint_material materials[3];
-        assert_true(scene.object_count <= 3);
+        glint_light lights[2];
+        assert_true(scene.object_count <= 3 && scene.light_count <= 2);
+        for (uint16_t i = 0; i < scene.light_count; i++) {
+            lights[i] = scene.lights[i];
+            lights[i].casts_shadows = (with & SHADOWS) != 0;
+        }
+        scene.lights = lights;
         for (uint16_t i = 0; i < scene.object_count; i++) {
             glint_material *const m = &materials[i];
             objects[i] = scene.objects[i];
