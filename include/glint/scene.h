@@ -117,6 +117,7 @@ typedef struct glint_material {
     uint16_t exponent_q4;         /* alpha in sixteenths: 0..GLINT_MAX_EXPONENT * 16; 32 is written 32 * 16 */
     uint8_t specular_model;       /* GLINT_PHONG (default) or GLINT_BLINN */
     uint8_t sides;                /* GLINT_FRONT_SIDE (default) ... */
+    uint8_t shadows;              /* GLINT_CASTS_NO_SHADOW + GLINT_TAKES_NO_SHADOW; 0: casts and takes them */
     glint_colour emission;        /* e: light that the surface sends out whatever falls on it, 0..1 */
     glint_colour mirror;          /* r_m: what part of the environment it mirrors; asks for scene.environment */
     uint16_t transmission_q14;    /* t: how much of the light behind shows through, 0 (opaque)..1 (16384) */
@@ -124,7 +125,6 @@ typedef struct glint_material {
     glint_colour wire;            /* colour of the mesh's edges, see above; 0..1 */
     uint16_t wire_width_q4;       /* how wide they are, 1/16 px: 0 (none)..GLINT_MAX_WIRE_Q4 */
     const glint_texture *texture; /* T, by which r_a and r_d are multiplied, see <glint/texture.h>; NULL: none */
-    uint8_t shadows;              /* GLINT_CASTS_NO_SHADOW + GLINT_TAKES_NO_SHADOW; 0: casts and takes them */
 } glint_material;
 
 /*

@@ -6,8 +6,7 @@
 #include "backend/parts.h"
 
 #ifndef SMALL_PARTS
-#define SMALL_PARTS (PARTS_ALL & ~(PART_TIERS | PART_SKY | PART_SIDES | PART_FINISH)) /* which the self-test has not   \
-                                                                                       */
+#define SMALL_PARTS (PARTS_ALL & ~(PART_TIERS | PART_SKY | PART_SIDES | PART_FINISH)) /* not in the self-test */
 #endif
 #undef BACKEND_PARTS
 #define BACKEND_PARTS SMALL_PARTS

@@ -42,7 +42,7 @@ static void test_ball_above_the_horizon(void **state)
         }
     }
     assert_true(seen > 500);
-    expect_at_most("a ball above the horizon", worst, CLOSED_ERROR);
+    expect_at_most("a ball above the horizon", (long double)worst, (long double)CLOSED_ERROR);
 }
 
 /* The sum over ACROSS^2 points with the whole model each. */
@@ -95,8 +95,8 @@ static void test_plain_sums(void **state)
         diffuse = fmax(diffuse, fabs(sum.diffuse - exact.diffuse));
         specular = fmax(specular, fabs(sum.specular - exact.specular));
     }
-    expect_at_most("diffuse light against a sum", diffuse, DIFFUSE_ERROR);
-    expect_at_most("specular light against a sum", specular, SPECULAR_ERROR);
+    expect_at_most("diffuse light against a sum", (long double)diffuse, (long double)DIFFUSE_ERROR);
+    expect_at_most("specular light against a sum", (long double)specular, (long double)SPECULAR_ERROR);
 }
 
 int main(void)

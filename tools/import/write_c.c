@@ -35,7 +35,7 @@ static void write_comment(FILE *file, const char *text)
 static void write_rows(FILE *file, const char *type, const char *prefix, const char *name, size_t number, size_t count,
                        int width, long (*value)(const void *rows, size_t row, int k), const void *rows)
 {
-    char columns[4] = "";
+    char columns[16] = "";
     if (width > 1) {
         snprintf(columns, sizeof columns, "[%d]", width);
     }
