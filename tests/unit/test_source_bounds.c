@@ -53,7 +53,7 @@ static void diffuse_errors(void **state)
             worst = fmax(worst, found / bound);
         }
     }
-    expect_at_most("diffuse errors, over their bounds", worst, 1);
+    expect_at_most("diffuse errors, over their bounds", (long double)worst, 1);
     assert_true(worst >= TIGHT);
 }
 
@@ -85,7 +85,7 @@ static void specular_errors(void **state)
             worst = fmax(worst, found / at_size);
         }
     }
-    expect_at_most("specular errors, over their bounds", worst, 1);
+    expect_at_most("specular errors, over their bounds", (long double)worst, 1);
     assert_true(worst >= TIGHT);
 }
 
@@ -118,7 +118,7 @@ static void errors_of_both_by_the_gate(void **state)
             worst = fmax(worst, difference(&at, &what) / bound);
         }
     }
-    expect_at_most("gated errors, over their bounds", worst, 1);
+    expect_at_most("gated errors, over their bounds", (long double)worst, 1);
     assert_true(worst >= TIGHT / 2);
 }
 
