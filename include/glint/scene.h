@@ -221,8 +221,8 @@ typedef struct glint_light {
     uint8_t samples;         /* panel, ball: the greatest number of point lights that may stand for it, 1..64; 0: 16 */
     bool casts_shadows;      /* see above; false: it shines through everything */
     int16_t direction[3];    /* directional, spot: the way the light travels (s = -direction); any length but 0 */
-    int32_t position_q16[3]; /* all others: world position, Q16; |position_q16| <= 2^30 */
     glint_colour colour;     /* intensity in Q14: 0..1.99994, diffuse and specular alike */
+    int32_t position_q16[3]; /* all others: world position, Q16; |position_q16| <= 2^30 */
     glint_attenuation attenuation; /* all but directional; zero: none */
     /* spot: half the angle of the cones, 1/65536 turn: 0 <= inner < outer <= 16384 (90 degrees), and the two at least
      * 182 (1 degree) apart */
