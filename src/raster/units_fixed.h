@@ -99,7 +99,7 @@ static GLINT_SPECIALISED void units_along(unit_row row, unit_scale down, bool sh
         const int32_t x = ((int32_t)row.value[0] + half) >> down, y = ((int32_t)row.value[1] + half) >> down,
                       z = ((int32_t)row.value[2] + half) >> down;
         /* within a sixteenth of the triangle no component is above 2^15.1 */
-        const uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
+        const uint32_t square = (uint32_t)x * (uint32_t)x + (uint32_t)y * (uint32_t)y + (uint32_t)z * (uint32_t)z;
         if (square - ((uint32_t)1 << 28) < ((uint32_t)1 << 30) - ((uint32_t)1 << 28)) {
             int32_t inverse = (int32_t)glint_inverse_root_q16(square << 2); /* 2^30 / length */
             const int32_t round = 1 << 14;

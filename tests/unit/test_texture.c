@@ -285,9 +285,10 @@ static void test_colours(void **state)
                 uv[k] = random_u32() & 1 ? random_between(-10, (1 << 22) + 10) : random_any_size(29);
                 /* on the edges of texels and between their centres */
                 const int32_t size = k == 0 ? t.width_px : t.height_px;
-                uv[k] = random_u32() % 4 ? uv[k]
-                                         : (int32_t)(((int64_t)random_between(-1, 2 * size + 1) << 21) / size) +
-                                               random_between(-1, 1);
+                uv[k] = random_u32() % 4
+                            ? uv[k]
+                            : (int32_t)((int64_t)random_between(-1, 2 * size + 1) * ((int32_t)1 << 21) / size) +
+                                  random_between(-1, 1);
                 exact_uv[k] = uv[k];
             }
             glint_texture_sample(&t, uv, &texel);
