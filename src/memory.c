@@ -49,8 +49,7 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     needs->drawing = whole_words(bytes->drawing);
     needs->objects = (uint64_t)scene->object_count * whole_words(bytes->object);
     needs->shadows = bytes->shadow == 0 ? 0 : glint_shadow_bytes(scene, display->width_px, band);
-    /* what follows these and the reaches may hold pointers of 8 bytes */
-    needs->shadows = needs->shadows ? (needs->shadows + whole_words(bytes->shadow) + 7) & ~(uint64_t)7 : 0;
+    needs->shadows += needs->shadows ? whole_words(bytes->shadow) : 0;
     needs->light_count = needs->reach_count = 0;
     for (uint16_t i = 0; i < scene->light_count; i++) {
         const uint8_t points = glint_source_most(&scene->lights[i]);
@@ -60,8 +59,7 @@ void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glin
     /* with shadows, one of each light once more: see effects/shadow.inc */
     needs->lights =
         (scene->object_count + (uint64_t)(needs->shadows != 0)) * needs->light_count * whole_words(bytes->light);
-    needs->reaches =
-        ((uint64_t)scene->object_count * needs->reach_count * whole_words(bytes->reach) + 7) & ~(uint64_t)7;
+    needs->reaches = (uint64_t)scene->object_count * needs->reach_count * whole_words(bytes->reach);
     needs->mirrors = mirror_count * whole_words(bytes->mirror);
     needs->texture = 0;
     for (uint16_t i = 0; i < scene->object_count && needs->texture == 0; i++) {

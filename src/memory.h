@@ -5,10 +5,10 @@
  *     drawing   of the frame, of one triangle  always
  *     objects   one state an object            always
  *     lights    one state an object and light  always; of an extended source as many as its samples allow
+ *     mirrors   one for each object that mirrors the environment
  *     shadows   boxes, lights, a copy of an object,
  *               a bit a pixel of a band and light    where some light casts shadows: see effects/shadow.h
  *     reaches   one for each of these lights that is a spot light or attenuated
- *     mirrors   one for each object that mirrors the environment
  *     texture   one, where an object has a texture
  *     buffers   one or two bands of pixels     always
  *     depth     16 bits a pixel of a band      always
@@ -17,7 +17,8 @@
  *     tables    of a material, see ramp.h      the same, with a tolerance
  *     kept      triangles set up, see kept.inc what is left, where there are bands
  *
- * Each part begins on a multiple of 4 bytes.
+ * Each part begins on a multiple of 4 bytes. Those whose states hold pointers come first, so that they begin on a
+ * multiple of 8 where pointers ask for it; the texture has room to see to that itself.
  */
 #ifndef GLINT_MEMORY_H
 #define GLINT_MEMORY_H

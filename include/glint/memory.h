@@ -9,8 +9,8 @@
 
 /* Upper bounds of what either backend keeps of the frame and the triangle being drawn, of an object, and of a light for
  * each object. */
-#define GLINT_DRAWING_BYTES 1920
-#define GLINT_OBJECT_BYTES 472
+#define GLINT_DRAWING_BYTES 1856
+#define GLINT_OBJECT_BYTES 464
 #define GLINT_LIGHT_BYTES 96
 
 /* And of a spot light or an attenuated one for each object, beside that: so many words more than GLINT_MEMORY_WORDS for
@@ -36,7 +36,7 @@
  * arguments are those of GLINT_MEMORY_WORDS. The greatest part is one bit for each pixel of a band and casting light.
  */
 #define GLINT_SHADOW_WORDS(width_px, band_px, vertices, triangles, objects, lights, casting)                           \
-    (GLINT_SHADOW_STATE_BYTES / 4 + 1 + (uint32_t)(lights) * (GLINT_LIGHT_BYTES / 4) +                                 \
+    (GLINT_SHADOW_STATE_BYTES / 4 + (uint32_t)(lights) * (GLINT_LIGHT_BYTES / 4) +                                     \
      (uint32_t)(casting) * (GLINT_SHADOW_LIGHT_BYTES / 4 + ((uint32_t)(width_px) + 31) / 32 * (uint32_t)(band_px)) +   \
      (uint32_t)(objects) * (GLINT_SHADOW_OBJECT_BYTES / 4) +                                                           \
      ((uint32_t)(triangles) / 4 + (uint32_t)(objects)*16) * (GLINT_SHADOW_BOX_BYTES / 4) +                             \
