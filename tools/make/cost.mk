@@ -8,8 +8,7 @@ COST_FLAGS ?= -O2
 # lights, with all parts of the backend.
 COST_FLAGS_avr ?= -Os -fno-inline -DSMALL_PARTS=13u -mcall-prologues -mrelax -mstrict-X -fno-move-loop-invariants
 cost_flags = $(or $(COST_FLAGS_$(1)),$(COST_FLAGS))
-# avr-cycles is there to be named: with textures and shadows in the library its program is 9 KB more than the flash.
-COST_TARGETS ?= m0plus m3 m4f rv32imac m0plus-cycles
+COST_TARGETS := m0plus m3 m4f rv32imac m0plus-cycles avr-cycles
 COST_PROCESSORS := m0plus m3 m4f rv32imac avr
 RP2040JS := 1.4.1
 COST_NODE := $(B)/cost/node
