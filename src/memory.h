@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What a frame keeps in the caller's memory, and how many bytes of it.
+ * What a frame keeps in the caller's memory, and where.
  *
  *     drawing   of the frame, of one triangle  always
  *     objects   one state an object            always
@@ -24,34 +24,23 @@
 #define GLINT_MEMORY_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
-#include <glint/display.h>
-#include <glint/scene.h>
-
-/* Bytes of each part, and sums. 64 bits wide, since the sum may not fit size_t on a small machine. */
+/* Where each part begins, in bytes, as long as `least` is not GLINT_TOO_MUCH. */
 typedef struct glint_needs {
-    uint32_t buffer; /* one band of pixels */
+    uint32_t objects, lights, mirrors, shadows, reaches, texture, buffers, depth;
+    bool has_shadows, has_texture;
+    uint32_t buffer; /* bytes of one band of pixels */
     uint32_t stride; /* bytes from row to row (page to page) */
     uint16_t band_px, band_count;
     uint16_t light_count; /* with the most point lights that extended sources may come to */
     uint16_t reach_count; /* of these, spot lights and attenuated ones */
-    uint32_t texture;     /* with 4 to spare, for an alignment of 8 */
-    uint64_t drawing, objects, lights, shadows, reaches, mirrors, buffers, depth, bands, vertices;
-    uint32_t triangle_count;
-    uint64_t least; /* without bands and vertices */
-    uint64_t full;  /* with these */
+    uint32_t bands;       /* bytes of the lists of triangles; 0: there are none */
+    uint32_t least;       /* bytes without bands and vertices: where these begin */
+    uint32_t full;        /* with these */
 } glint_needs;
 
-/* Of one of each, in a backend. */
-typedef struct glint_state_bytes {
-    uint16_t drawing, object, light, reach, mirror, texture, shadow; /* shadow 0: the backend draws none */
-} glint_state_bytes;
-
-/* Does a material mirror the environment? NULL does not. */
-bool glint_mirrors(const glint_material *material);
-
-/* Scene and display have passed glint_validate_sizes(). */
-void glint_memory_needs(glint_needs *needs, const glint_scene *scene, const glint_display *display,
-                        const glint_state_bytes *bytes);
+/* More than 32 bits can tell: such a scene is drawn by no memory. */
+#define GLINT_TOO_MUCH UINT32_MAX
 
 #endif

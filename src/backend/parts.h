@@ -20,7 +20,8 @@
 #define PART_FINISH 512u /* what comes between shading and packing: fog, transmission, edges of the mesh */
 #define PART_TEXTURES 1024u
 #define PART_SHADOWS 2048u
-#define PARTS_ALL 4095u
+#define PART_REPORT 4096u /* glint_report: what a frame took, and the error promised */
+#define PARTS_ALL 8191u
 
 #ifndef BACKEND_PARTS
 #define BACKEND_PARTS PARTS_ALL

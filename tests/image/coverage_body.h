@@ -115,7 +115,7 @@ static void check_scene(const glint_scene *scene, uint16_t width, uint16_t heigh
     object_state *objects = calloc(scene->object_count, sizeof *objects);
     const glint_display display = {.width_px = width, .height_px = height};
     glint_needs needs;
-    glint_memory_needs(&needs, scene, &display, &state_bytes);
+    memory_needs(&needs, scene, &display);
     light_state *lights = calloc((size_t)scene->object_count * needs.light_count + 1, sizeof *lights);
     light_reach *reaches = calloc((size_t)scene->object_count * needs.reach_count + 1, sizeof *reaches);
     light_mirror *mirrors = calloc((size_t)scene->object_count + 1, sizeof *mirrors);
