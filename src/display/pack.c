@@ -63,6 +63,11 @@ static bool is_rgb565(const glint_target *target)
     return target->format == GLINT_RGB565 || target->format == GLINT_RGB565_SWAPPED;
 }
 
+static glint_shade *shades_at(const glint_target *target, int16_t x)
+{
+    return (glint_shade *)(void *)target->pixels + (x - target->x_first);
+}
+
 static void pack_at(const glint_target *target, uint8_t *row, int16_t x, int16_t y, const glint_shade *shade,
                     uint32_t threshold)
 {
@@ -87,17 +92,15 @@ static void pack_at(const glint_target *target, uint8_t *row, int16_t x, int16_t
         *pair = (uint8_t)(x & 1 ? (*pair & 0xf0) | grey : (*pair & 0x0f) | grey << 4);
         break;
     }
+    case GLINT_SHADES:
+        *shades_at(target, x) = *shade;
+        break;
     default: { /* GLINT_MONO_PAGES */
         const uint8_t bit = (uint8_t)(1 << (y & 7));
         row[x] = (uint8_t)(level(luma_q15(shade), 1, threshold) ? row[x] | bit : row[x] & ~bit);
         break;
     }
     }
-}
-
-static void pack_pixel(const glint_target *target, uint8_t *row, int16_t x, int16_t y, const glint_shade *shade)
-{
-    pack_at(target, row, x, y, shade, threshold_q15(target, x, y));
 }
 
 static uint8_t *row_of(const glint_target *target, int16_t y)
@@ -120,28 +123,32 @@ void glint_pack_thresholded(const glint_target *target, int16_t x, int16_t y, co
     pack_at(target, row_of(target, y), x, y, shade, threshold_q15);
 }
 
-static glint_shade *shades_at(const glint_target *target, int16_t x)
+/* `step` to the next pixel's colour: 1, or 0 for one colour. */
+static GLINT_SHARED void pack_run(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade, int step,
+                                  uint16_t count)
 {
-    return (glint_shade *)(void *)target->pixels + (x - target->x_first);
+    uint8_t *const row = row_of(target, y);
+    for (; count > 0; count--) {
+        pack_at(target, row, x, y, shade, threshold_q15(target, x, y));
+        shade += step;
+        x++;
+    }
 }
 
 void glint_pack(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade, uint16_t count)
 {
-    uint8_t *row = row_of(target, y);
-    if (is_rgb565(target) && target->dither == GLINT_DITHER_NONE) {
-        uint16_t *pixel = (uint16_t *)(void *)row + x;
+    if (!GLINT_SHARE_CODE && is_rgb565(target) && target->dither == GLINT_DITHER_NONE) {
+        uint16_t *pixel = (uint16_t *)(void *)row_of(target, y) + x;
         for (uint16_t i = 0; i < count; i++) {
             pixel[i] = rgb565(target->format, &shade[i], 1 << 14);
         }
         return;
     }
-    if (target->format == GLINT_SHADES) {
+    if (!GLINT_SHARE_CODE && target->format == GLINT_SHADES) {
         memcpy(shades_at(target, x), shade, count * sizeof *shade);
         return;
     }
-    for (uint16_t i = 0; i < count; i++) {
-        pack_pixel(target, row, (int16_t)(x + (int16_t)i), y, &shade[i]);
-    }
+    pack_run(target, x, y, shade, 1, count);
 }
 
 bool glint_pack_solid(const glint_target *target)
@@ -190,19 +197,13 @@ uint16_t *glint_pack_at(const glint_target *target, int16_t x, int16_t y)
 
 void glint_pack_fill(const glint_target *target, int16_t x, int16_t y, const glint_shade *shade, uint16_t count)
 {
-    uint8_t *row = row_of(target, y);
-    for (uint16_t i = 0; target->format == GLINT_SHADES && i < count; i++) {
-        shades_at(target, x)[i] = *shade;
-    }
-    for (uint16_t i = 0; target->format != GLINT_SHADES && i < count; i++) {
-        pack_pixel(target, row, (int16_t)(x + (int16_t)i), y, shade);
-    }
+    pack_run(target, x, y, shade, 0, count);
 }
 
 void glint_fill_words(uint32_t *to, uint32_t word, uint32_t count)
 {
     const uint32_t *const end = to + count;
-    for (; count & 15; count--) {
+    for (; GLINT_SHARE_CODE ? to != end : count & 15; count--) {
         *to++ = word;
     }
     while (to != end) {
@@ -221,7 +222,7 @@ void glint_pack_clear(const glint_target *target, uint16_t width, uint16_t rows,
     const size_t bytes = (size_t)glint_row_bytes(target->format, width);
     const size_t period = (size_t)glint_row_bytes(target->format, 8);
     const uint16_t first = width < 8 ? width : 8;
-    if (glint_pack_solid(target) && (target->stride_bytes & 3) == 0) {
+    if (!GLINT_SHARE_CODE && glint_pack_solid(target) && (target->stride_bytes & 3) == 0) {
         const uint32_t pixel = glint_pack_pixel(target, shade);
         if (target->stride_bytes == bytes) { /* nothing between rows */
             glint_fill_words((uint32_t *)(void *)target->pixels, pixel << 16 | pixel, (uint32_t)bytes / 4 * rows);

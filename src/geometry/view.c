@@ -8,7 +8,7 @@
 static void cross(const int32_t a[3], const int32_t b[3], int64_t out[3])
 {
     for (int k = 0; k < 3; k++) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        const int i = k < 2 ? k + 1 : 0, j = k > 0 ? k - 1 : 2;
         out[k] = (int64_t)a[i] * b[j] - (int64_t)a[j] * b[i];
     }
 }
@@ -251,7 +251,7 @@ static bool keeps_angles(int32_t linear_q16[3][3], uint64_t *three_squares_q32)
 static void cofactors(int32_t linear_q16[3][3], int64_t out[3][3])
 {
     for (int i = 0; i < 3; i++) {
-        cross(linear_q16[(i + 1) % 3], linear_q16[(i + 2) % 3], out[i]); /* <= 2 2^52 */
+        cross(linear_q16[i < 2 ? i + 1 : 0], linear_q16[i > 0 ? i - 1 : 2], out[i]); /* <= 2 2^52 */
     }
 }
 

@@ -34,7 +34,7 @@ typedef struct light_sum {
 
 typedef char glint_assert_light_sum[(uint64_t)GLINT_MAX_LIGHTS * 4 * 65536 + 4 * 65536 < 0xffffffffu ? 1 : -1];
 
-static inline light_product light_multiply(const glint_colour *reflectance, const glint_colour *intensity)
+static GLINT_SHARED light_product light_multiply(const glint_colour *reflectance, const glint_colour *intensity)
 {
     const light_product product = {{
         ((uint32_t)(int32_t)reflectance->r_q14 * (uint32_t)(int32_t)intensity->r_q14 + (1 << 12)) >> 13,
@@ -123,7 +123,7 @@ static inline void light_start_row(light_sum *sum, const light_product *ambient,
     }
 }
 
-static inline uint16_t light_clamp(uint32_t q16)
+static GLINT_SHARED uint16_t light_clamp(uint32_t q16)
 {
     return (uint16_t)(q16 >= 65536 ? 32768 : (q16 + 1) >> 1);
 }

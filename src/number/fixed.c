@@ -16,6 +16,22 @@ NOT_INLINE int glint_clz32(uint32_t value)
     return clz32_search(value);
 }
 
+/* Bit by bit: `rest` is below b. */
+NOT_INLINE uint32_t glint_divide_u32(uint32_t a, uint32_t b)
+{
+    uint32_t rest = 0;
+    for (int i = 0; i < 32; i++) {
+        const bool beyond = rest >> 31;
+        rest = rest << 1 | a >> 31;
+        a <<= 1;
+        if (beyond || rest >= b) {
+            rest -= b;
+            a |= 1;
+        }
+    }
+    return a;
+}
+
 NOT_INLINE uint32_t glint_multiply_high_u32(uint32_t a, uint32_t b)
 {
     return multiply_high_narrow_u32(a, b);
@@ -217,10 +233,10 @@ void glint_sine_cosine_q30(uint16_t angle_turn16, int32_t *sine_q30, int32_t *co
     /* Taylor: x <= pi/4, so the first terms left out are below x^13/13! < 2^-36 and x^14/14! < 2^-41 */
     int32_t sine = one, cosine = one;
     for (int n = 10; n >= 2; n -= 2) {
-        sine = one - glint_multiply_q30(xx, sine) / (n * (n + 1));
+        sine = one - (int32_t)divide_u32((uint32_t)glint_multiply_q30(xx, sine), (uint32_t)(n * (n + 1)));
     }
     for (int n = 12; n >= 2; n -= 2) {
-        cosine = one - glint_multiply_q30(xx, cosine) / (n * (n - 1));
+        cosine = one - (int32_t)divide_u32((uint32_t)glint_multiply_q30(xx, cosine), (uint32_t)(n * (n - 1)));
     }
     sine = glint_multiply_q30(x, sine);
     GLINT_TRACE("sine q30", sine);

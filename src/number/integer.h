@@ -109,8 +109,8 @@ static inline int clz32_search(uint32_t value)
 }
 
 /*
- * Compiled for size, one copy of these in number/fixed.c serves all files: clz32_search, multiply_high_narrow_u32 and
- * multiply_high_narrow_s32.
+ * Compiled for size, one copy of these in number/fixed.c serves all files: clz32_search, multiply_high_narrow_u32,
+ * multiply_high_narrow_s32; and a division.
  */
 #if defined(__OPTIMIZE_SIZE__)
 #define GLINT_SHARE_CODE 1
@@ -118,6 +118,7 @@ static inline int clz32_search(uint32_t value)
 #define GLINT_SHARE_CODE 0
 #endif
 int glint_clz32(uint32_t value);
+uint32_t glint_divide_u32(uint32_t a, uint32_t b);
 uint32_t glint_multiply_high_u32(uint32_t a, uint32_t b);
 int32_t glint_multiply_high_s32(int32_t a, int32_t b);
 
@@ -133,6 +134,13 @@ int32_t glint_multiply_high_s32(int32_t a, int32_t b);
 #define GLINT_SPECIALISED inline __attribute__((always_inline))
 #else
 #define GLINT_SPECIALISED
+#endif
+
+/* A function that is inline, unless code is to be small and it is called from more than one place. */
+#if defined __GNUC__ && defined __OPTIMIZE_SIZE__
+#define GLINT_SHARED __attribute__((noinline))
+#else
+#define GLINT_SHARED inline
 #endif
 
 /* A function whose result is a constant in some builds, for which what depends on it is to be left out. */
@@ -161,6 +169,16 @@ static inline int clz32(uint32_t value)
     return value ? __builtin_clzl(value) : 32;
 #else
     return value ? __builtin_clz(value) : 32;
+#endif
+}
+
+/* a / b, rounded down, b > 0. On a processor without a division the compiler's routine is quick and long. */
+static inline uint32_t divide_u32(uint32_t a, uint32_t b)
+{
+#if GLINT_SHARE_CODE && defined(__ARM_ARCH_6M__)
+    return glint_divide_u32(a, b);
+#else
+    return a / b;
 #endif
 }
 

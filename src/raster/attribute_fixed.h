@@ -8,6 +8,7 @@
 #ifndef GLINT_RASTER_ATTRIBUTE_FIXED_H
 #define GLINT_RASTER_ATTRIBUTE_FIXED_H
 
+#include "backend/parts.h"
 #include "lighting/light_fixed.h"
 #include "raster/plane.h"
 
@@ -38,6 +39,9 @@ static inline int32_t inverse_of(int32_t depth_q30, inverse_scale shift)
  * interpolation passes the corners' range. */
 static inline void surface_set_inverse(surface *at, int32_t depth_q30, inverse_scale shift)
 {
+    if (!HAS(PART_POINTS)) {
+        return;
+    }
     const int32_t inverse = depth_q30 - GLINT_DEPTH_BIAS, most = ((int32_t)1 << 30) >> shift;
     at->inverse = (inverse < 0 ? 0 : inverse > most ? most : inverse) << shift;
     at->inverse_fraction = (int16_t)(30 + shift);
@@ -145,6 +149,9 @@ static inline void rays_prepare(pixel_rays *rays, const glint_frame *frame, cons
         }
     }
     rays->fraction = (int8_t)frame->ray_fraction;
+    if (!HAS(PART_TIERS)) {
+        return;
+    }
     rays->down = rays_down(rays, (int16_t)(view->width_px - 1), (int16_t)(view->height_px - 1));
     /* an eighth of v[0], below 2^28, and |x| + |y| eighths of a step stay below 2^30 */
     uint32_t step = 0;

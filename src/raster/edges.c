@@ -62,7 +62,7 @@ static uint8_t edge_of_set(uint32_t table, uint32_t set)
 
 /* Edge i from one corner to another, each told by the way from it to the centre of the box's first pixel. Returns 1 for
  * an edge on the left, 2^16 for one on the right. */
-static inline uint32_t set_up_edge(glint_edges *edges, int i, int32_t x, int32_t y, int32_t x_to, int32_t y_to)
+static GLINT_SHARED uint32_t set_up_edge(glint_edges *edges, int i, int32_t x, int32_t y, int32_t x_to, int32_t y_to)
 {
     const int32_t dx = x - x_to, dy = y - y_to; /* < 2^20 */
     /* 0 on a left or top edge, dy < 0, or dy = 0 and dx > 0; else -1 */
@@ -106,6 +106,22 @@ void glint_edges_set_up(glint_edges *edges, const glint_point corner[3], bool cl
         /* two edges of one side meet in the corner that neither of them is opposite to */
         const uint8_t bend = (uint8_t)(3 - pair[0] - pair[1]);
         edges->row_of_bend = (int16_t)first_pixel(corner[edges->order[bend]].y);
+    }
+}
+
+void glint_edges_set_up_values(glint_edges *edges, const glint_point corner[3], bool clockwise, glint_box box)
+{
+    const int32_t centre_x = box.x_first * GLINT_SUBPIXEL + GLINT_SUBPIXEL / 2;
+    const int32_t centre_y = box.y_first * GLINT_SUBPIXEL + GLINT_SUBPIXEL / 2;
+    int from = clockwise ? 1 : 2, to = 3 - from;
+    edges->box = box;
+    for (int i = 0; i < 3; i++) { /* the edge opposite corner i of the clockwise order: 1 to 2, 2 to 0, 0 to 1 */
+        const glint_point *const a = &corner[from], *const b = &corner[to];
+        (void)set_up_edge(edges, i, centre_x - a->x, centre_y - a->y, centre_x - b->x, centre_y - b->y);
+        const int next = 3 - from - to;
+        edges->order[i] = (uint8_t)next;
+        from = to;
+        to = next;
     }
 }
 

@@ -90,6 +90,9 @@ int16_t glint_last_pixel(int32_t subpixels, uint16_t size_px);
  */
 void glint_edges_set_up(glint_edges *edges, const glint_point corner[3], bool clockwise, glint_box box);
 
+/* As much of that as it takes to ask of each pixel of the box whether the triangle covers it: not the sides of rows. */
+void glint_edges_set_up_values(glint_edges *edges, const glint_point corner[3], bool clockwise, glint_box box);
+
 /* The covered pixels of a row: first..end - 1, none where end <= first. */
 typedef struct glint_span {
     uint16_t first, end;

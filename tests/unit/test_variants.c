@@ -93,8 +93,8 @@ static void test_the_same_pixels_or_refused(void **state)
             assert_int_equal(result, GLINT_OK);
             assert_int_equal(draw(v->whole, scene, &exact, pictures[1]), GLINT_OK);
             assert_memory_equal(pictures[0], pictures[1], sizeof pictures[0]);
-            assert_int_equal(v->bytes(scene, &display), v->whole_bytes(scene, &display));
-            assert_int_equal(v->least(scene, &display), v->whole_least(scene, &display));
+            assert_in_range(v->bytes(scene, &display), v->least(scene, &display), v->whole_bytes(scene, &display));
+            assert_in_range(v->least(scene, &display), 1, v->whole_least(scene, &display));
             drawn++;
         }
         printf("%-14s draws %u built-in scenes, refuses %u\n", v->name, drawn, refused);

@@ -6,7 +6,7 @@
 COST_FLAGS ?= -O2
 # At -O2 the library and the scenes are 80 KB more than the AVR's flash holds; and so are its scenes, which have no point
 # lights, with all parts of the backend.
-COST_FLAGS_avr ?= -Os -fno-inline -DSMALL_PARTS=13u -mcall-prologues -mrelax -mstrict-X -fno-move-loop-invariants
+COST_FLAGS_avr ?= -Os -fno-inline -DSMALL_PARTS=28685u -mcall-prologues -mrelax -mstrict-X -fno-move-loop-invariants
 cost_flags = $(or $(COST_FLAGS_$(1)),$(COST_FLAGS))
 COST_TARGETS := m0plus m3 m4f rv32imac m0plus-cycles avr-cycles
 COST_PROCESSORS := m0plus m3 m4f rv32imac avr
