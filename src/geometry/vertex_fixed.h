@@ -70,7 +70,7 @@ static inline bool project_coordinate(int32_t coordinate, uint32_t r, int down, 
 }
 
 /* Z >= near_z, but for the rounding of a clipped vertex. False beyond the guard band. */
-static inline bool vertex_project(const transform_state *state, const view_vertex *v, const glint_view *view,
+static GLINT_SHARED bool vertex_project(const transform_state *state, const view_vertex *v, const glint_view *view,
                                   glint_screen_vertex *screen)
 {
     const uint32_t z = v->z > 0 ? (uint32_t)v->z : 1;
@@ -112,7 +112,7 @@ static inline bool vertex_project(const transform_state *state, const view_verte
  */
 typedef int64_t plane_distance;
 
-static inline plane_distance clip_distance(const transform_state *state, const view_vertex *v, int plane)
+static GLINT_SHARED plane_distance clip_distance(const transform_state *state, const view_vertex *v, int plane)
 {
     if (plane == 0) {
         return (int64_t)v->z - state->near_z;
@@ -120,7 +120,7 @@ static inline plane_distance clip_distance(const transform_state *state, const v
     const int32_t coordinate = plane <= 2 ? v->x : v->y;
     /* px x units of X; from a shift of 20 on, the band's edge is beyond every coordinate, and beyond 22 it overflows */
     const int shift = state->xy_fraction - state->z_fraction;
-    const int64_t edge = shift_round64((int64_t)v->z * (GLINT_GUARD_PX - 4), shift < 22 ? shift : 22);
+    const int64_t edge = shift_round64(multiply_wide_s32(v->z, GLINT_GUARD_PX - 4), shift < 22 ? shift : 22);
     return plane & 1 ? edge - coordinate : edge + coordinate;
 }
 
@@ -140,7 +140,7 @@ static inline clip_ratio clip_crossing(plane_distance inside, plane_distance out
     return ratio_q30;
 }
 
-static inline int32_t clip_blend(int32_t from, int32_t to, clip_ratio t_q30)
+static GLINT_SHARED int32_t clip_blend(int32_t from, int32_t to, clip_ratio t_q30)
 {
     const int64_t way = (((int64_t)to - from) * t_q30) >> 30;
     GLINT_TRACE("clip way", way);

@@ -5,19 +5,21 @@
 
 #include "geometry/place.h"
 
+/* a . b; the caller answers for the sum's range. */
+static int64_t dot(const int32_t a[3], const int32_t b[3])
+{
+    int64_t sum = 0;
+    for (int k = 0; k < 3; k++) {
+        sum += multiply_wide_s32(a[k], b[k]);
+    }
+    return sum;
+}
+
 static void cross(const int32_t a[3], const int32_t b[3], int64_t out[3])
 {
     for (int k = 0; k < 3; k++) {
         const int i = k < 2 ? k + 1 : 0, j = k > 0 ? k - 1 : 2;
-        out[k] = (int64_t)a[i] * b[j] - (int64_t)a[j] * b[i];
-    }
-}
-
-/* matrix . v; the caller answers for the sum's range. */
-static void multiply(const int32_t (*matrix)[3], const int64_t v[3], int64_t out[3])
-{
-    for (int i = 0; i < 3; i++) {
-        out[i] = matrix[i][0] * v[0] + matrix[i][1] * v[1] + matrix[i][2] * v[2];
+        out[k] = multiply_wide_s32(a[i], b[j]) - multiply_wide_s32(a[j], b[i]);
     }
 }
 
@@ -25,26 +27,21 @@ static void multiply(const int32_t (*matrix)[3], const int64_t v[3], int64_t out
 static void product(const int32_t (*left)[3], const int32_t (*right)[3], int64_t (*out)[3])
 {
     for (int k = 0; k < 3; k++) {
-        const int64_t column[3] = {right[0][k], right[1][k], right[2][k]};
-        int64_t turned[3];
-        multiply(left, column, turned);
+        const int32_t column[3] = {right[0][k], right[1][k], right[2][k]};
         for (int i = 0; i < 3; i++) {
-            out[i][k] = turned[i];
+            out[i][k] = dot(left[i], column);
         }
     }
 }
 
-/* matrix . (point - eye): at most a unit row times a vector, 2^30 2^31 sqrt(3) < 2^62. */
+/* matrix . (point - eye): at most a unit row times a vector, 2^30 2^31 sqrt(3) < 2^62. The difference may have a bit
+ * too much for 32. */
 static void multiply_offset(const int32_t (*matrix_q30)[3], const int32_t point_q16[3], const glint_view *view,
                             int64_t out_q46[3])
 {
-    int64_t offset_q16[3];
     for (int k = 0; k < 3; k++) {
-        offset_q16[k] = (int64_t)point_q16[k] - view->eye_q16[k]; /* <= 2^31 */
-        GLINT_TRACE("offset from the eye q16", offset_q16[k]);
-    }
-    multiply(matrix_q30, offset_q16, out_q46);
-    for (int k = 0; k < 3; k++) {
+        GLINT_TRACE("offset from the eye q16", (int64_t)point_q16[k] - view->eye_q16[k]); /* <= 2^31 */
+        out_q46[k] = dot(matrix_q30[k], point_q16) - dot(matrix_q30[k], view->eye_q16);
         GLINT_TRACE("turned offset q46", out_q46[k]);
     }
 }
@@ -320,7 +317,7 @@ static void rays_set_up(glint_frame *frame, const glint_view *view, int32_t to_v
     const glint_scaled inverse = view->inverse_focal_px;
     /* |ray| <= 1 + (width + height) / 2f */
     const int32_t half_px = ((int32_t)view->width_px + view->height_px) / 2 + 1;
-    const int64_t extent_q8 = 256 + glint_shift_round64((int64_t)half_px * inverse.m, 8 - inverse.f);
+    const int64_t extent_q8 = 256 + glint_shift_round64(multiply_wide_s32(half_px, inverse.m), 8 - inverse.f);
     frame->ray_fraction = (int16_t)(29 + 8 - bit_length64((uint64_t)extent_q8));
     const int shift = frame->ray_fraction - 30;
     const int32_t beyond[2] = {1 - (int32_t)view->width_px, 1 - (int32_t)view->height_px};
@@ -329,7 +326,7 @@ static void rays_set_up(glint_frame *frame, const glint_view *view, int32_t to_v
         int64_t sideways = 0;
         for (int i = 0; i < 2; i++) {
             /* Q30 times m 2^-f; cut to 49 bits for the product */
-            const int64_t step = (int64_t)to_view_q30[i][k] * inverse.m;
+            const int64_t step = multiply_wide_s32(to_view_q30[i][k], inverse.m);
             const int64_t ray_step = glint_shift_round64(step, shift - inverse.f);
             GLINT_TRACE("ray step product", step);
             GLINT_TRACE("ray step", ray_step);
@@ -358,7 +355,7 @@ void glint_frame_set_up(glint_frame *frame, const glint_view *view, const glint_
         const glint_scaled inverse = glint_scaled_times(inverse_root, 1859775393u, 30);
         for (int i = 0; i < 3; i++) {
             for (int k = 0; k < 3; k++) {
-                const int64_t entry = glint_shift_round64((int64_t)linear_q16[i][k] * inverse.m, 30 - 16 - inverse.f);
+                const int64_t entry = glint_shift_round64(multiply_wide_s32(linear_q16[i][k], inverse.m), 30 - 16 - inverse.f);
                 GLINT_TRACE("from world q30", entry);
                 frame->from_world_q30[k][i] = (int32_t)entry;
                 linear_q16[i][k] = (int32_t)entry; /* Q30 now: axis k of the frame in world components */
@@ -406,11 +403,12 @@ void glint_placement_set_up(glint_placement *placement, const glint_frame *frame
 
 void glint_light_direction(const glint_frame *frame, const glint_light *light, int32_t unit_q30[3])
 {
-    int64_t towards[3], turned[3];
+    int64_t turned[3];
+    const int32_t towards[3] = {-(int32_t)light->direction[0], -(int32_t)light->direction[1],
+                                -(int32_t)light->direction[2]};
     for (int k = 0; k < 3; k++) {
-        towards[k] = -(int64_t)light->direction[k];
+        turned[k] = dot(frame->from_world_q30[k], towards);
     }
-    multiply(frame->from_world_q30, towards, turned);
     (void)glint_unit_q30(turned, unit_q30);
 }
 

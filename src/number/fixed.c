@@ -42,6 +42,22 @@ NOT_INLINE int32_t glint_multiply_high_s32(int32_t a, int32_t b)
     return multiply_high_narrow_s32(a, b);
 }
 
+NOT_INLINE int64_t glint_multiply_wide_s32(int32_t a, int32_t b)
+{
+    return multiply_wide_narrow_s32(a, b);
+}
+
+NOT_INLINE int glint_bit_length64(uint64_t value)
+{
+    return bit_length64_inline(value);
+}
+
+/* Set-up calls it in any build: once in the code. */
+NOT_INLINE int64_t glint_shift_round64(int64_t value, int shift)
+{
+    return shift_round64_inline(value, shift);
+}
+
 uint32_t glint_reciprocal_q31(uint32_t x_q31)
 {
     const uint32_t x_high = x_q31 >> 16, x_low = x_q31 & 0xffff;
@@ -217,7 +233,7 @@ uint16_t glint_power_q15(uint32_t gap_q31, uint16_t exponent_q4)
 
 int32_t glint_multiply_q30(int32_t a, int32_t b)
 {
-    return (int32_t)(((int64_t)a * b) >> 30);
+    return (int32_t)(multiply_wide_s32(a, b) >> 30);
 }
 
 void glint_sine_cosine_q30(uint16_t angle_turn16, int32_t *sine_q30, int32_t *cosine_q30)
@@ -228,7 +244,7 @@ void glint_sine_cosine_q30(uint16_t angle_turn16, int32_t *sine_q30, int32_t *co
     const bool folded = within > 0x2000; /* beyond an eighth of a turn: the series of the complement is shorter */
     const int32_t part = folded ? 0x4000 - within : within;
     /* radians in Q30: part / 2^14 quarter turns, pi/2 = 1686629713 / 2^30 */
-    const int32_t x = (int32_t)(((int64_t)part * 1686629713 + (1 << 13)) >> 14);
+    const int32_t x = (int32_t)((multiply_wide_s32(part, 1686629713) + (1 << 13)) >> 14);
     const int32_t xx = glint_multiply_q30(x, x);
     /* Taylor: x <= pi/4, so the first terms left out are below x^13/13! < 2^-36 and x^14/14! < 2^-41 */
     int32_t sine = one, cosine = one;
@@ -244,11 +260,6 @@ void glint_sine_cosine_q30(uint16_t angle_turn16, int32_t *sine_q30, int32_t *co
     const int32_t s = folded ? cosine : sine, c = folded ? sine : cosine;
     *sine_q30 = quadrant == 0 ? s : quadrant == 1 ? c : quadrant == 2 ? -s : -c;
     *cosine_q30 = quadrant == 0 ? c : quadrant == 1 ? -s : quadrant == 2 ? -c : s;
-}
-
-int64_t glint_shift_round64(int64_t value, int shift)
-{
-    return shift_round64(value, shift);
 }
 
 uint32_t glint_square_root_u32(uint32_t x)
@@ -291,7 +302,7 @@ bool glint_unit_q30(const int64_t v[3], int32_t unit_q30[3])
     uint64_t sum = 0;
     for (int k = 0; k < 3; k++) {
         const int32_t w = (int32_t)glint_shift_round64(v[k], shift);
-        sum += (uint64_t)((int64_t)w * w);
+        sum += (uint64_t)multiply_wide_s32(w, w);
         unit_q30[k] = w;
     }
     GLINT_TRACE("unit q30 sum of squares", sum);
@@ -299,7 +310,7 @@ bool glint_unit_q30(const int64_t v[3], int32_t unit_q30[3])
     const glint_scaled inverse = glint_scaled_inverse(glint_scaled_from(glint_square_root_u64(sum << 2), 1));
     const int down = inverse.f - 30 - 1; /* 28..30: |w| is between 2^29 and 2^30 sqrt(3) */
     for (int k = 0; k < 3; k++) {
-        const int64_t component = ((((int64_t)unit_q30[k] * inverse.m) >> down) + 1) >> 1;
+        const int64_t component = ((multiply_wide_s32(unit_q30[k], inverse.m) >> down) + 1) >> 1;
         GLINT_TRACE("unit vector q30", component);
         unit_q30[k] = (int32_t)component;
     }

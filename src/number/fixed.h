@@ -73,9 +73,6 @@ uint16_t glint_power_q15(uint32_t gap_q31, uint16_t exponent_q4);
 /* floor(a b / 2^30), which must fit. For set-up: a 64-bit product, once in the code. */
 int32_t glint_multiply_q30(int32_t a, int32_t b);
 
-/* shift_round64 of number/integer.h, likewise once in the code. */
-int64_t glint_shift_round64(int64_t value, int shift);
-
 /* Sine and cosine of an angle in 1/65536 turn, Q30. Error at most 2 ulp of Q30. */
 void glint_sine_cosine_q30(uint16_t angle_turn16, int32_t *sine_q30, int32_t *cosine_q30);
 

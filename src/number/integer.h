@@ -109,8 +109,8 @@ static inline int clz32_search(uint32_t value)
 }
 
 /*
- * Compiled for size, one copy of these in number/fixed.c serves all files: clz32_search, multiply_high_narrow_u32,
- * multiply_high_narrow_s32; and a division.
+ * Compiled for size, one copy of these in number/fixed.c serves all files: what has `search`, `narrow` or `inline` in its
+ * name; and a division.
  */
 #if defined(__OPTIMIZE_SIZE__)
 #define GLINT_SHARE_CODE 1
@@ -121,6 +121,9 @@ int glint_clz32(uint32_t value);
 uint32_t glint_divide_u32(uint32_t a, uint32_t b);
 uint32_t glint_multiply_high_u32(uint32_t a, uint32_t b);
 int32_t glint_multiply_high_s32(int32_t a, int32_t b);
+int64_t glint_multiply_wide_s32(int32_t a, int32_t b);
+int glint_bit_length64(uint64_t value);
+int64_t glint_shift_round64(int64_t value, int shift);
 
 /* A function whose variables are to leave the stack when it returns: one whose caller goes on to call deeper. */
 #if defined __GNUC__
@@ -208,10 +211,19 @@ static inline uint64_t magnitude64(int64_t value)
 }
 
 /* Number of bits of |value|: 0 for 0, 64 at most. */
-static inline int bit_length64(uint64_t value)
+static inline int bit_length64_inline(uint64_t value)
 {
     const uint32_t high = (uint32_t)(value >> 32);
     return high ? 64 - clz32(high) : 32 - clz32((uint32_t)value);
+}
+
+static inline int bit_length64(uint64_t value)
+{
+#if GLINT_SHARE_CODE
+    return glint_bit_length64(value);
+#else
+    return bit_length64_inline(value);
+#endif
 }
 
 /* The upper 32 bits of value 2^(64 - bits), bits being its length: from the leading one on, the rest is cut off.
@@ -288,6 +300,8 @@ static inline int64_t multiply_wide_s32(int32_t a, int32_t b)
 {
 #if GLINT_WIDE_MULTIPLY
     return (int64_t)a * b;
+#elif GLINT_SHARE_CODE
+    return glint_multiply_wide_s32(a, b);
 #else
     return multiply_wide_narrow_s32(a, b);
 #endif
@@ -314,7 +328,7 @@ static inline int32_t high_half(int32_t value)
 
 /* value 2^shift for |value| < 2^62, rounded to nearest, halves up; 0 when every bit is shifted out. The caller sees to
  * it that a left shift does not overflow. */
-static inline int64_t shift_round64(int64_t value, int shift)
+static inline int64_t shift_round64_inline(int64_t value, int shift)
 {
     if (shift >= 0) {
         GLINT_TRACE("shifted left, bits", value ? bit_length64(magnitude64(value)) + shift : 0);
@@ -325,6 +339,15 @@ static inline int64_t shift_round64(int64_t value, int shift)
         return 0;
     }
     return (value + ((int64_t)1 << (-shift - 1))) >> -shift;
+}
+
+static inline int64_t shift_round64(int64_t value, int shift)
+{
+#if GLINT_SHARE_CODE
+    return glint_shift_round64(value, shift);
+#else
+    return shift_round64_inline(value, shift);
+#endif
 }
 
 /* value 2^-down, rounded to nearest, halves up, modulo 2^32; down > -32; 0 when every bit is shifted out. */

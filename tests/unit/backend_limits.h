@@ -19,10 +19,10 @@
 
 /* Clipping at the near plane, for polygons that go to and fro through it: what a convex one cannot, and one bent by
  * rounding could. The corners that are kept come in order, and none is written past the end of the array. */
-static void expect_cut(const clip_vertex *polygon, int count)
+static void expect_cut(const corner *polygon, int count)
 {
     transform_state transform;
-    clip_vertex room[CLIP_MOST + CANARIES];
+    corner room[CLIP_MOST + CANARIES];
     uint8_t canaries[CANARIES * sizeof *room];
     int kept = 0, wanted = 0;
     memset(&transform, 0, sizeof transform);
@@ -33,13 +33,13 @@ static void expect_cut(const clip_vertex *polygon, int count)
     kept = clip_at_plane(&transform, 0, room, count);
     assert_memory_equal(&room[CLIP_MOST], canaries, sizeof canaries);
     for (int i = 0; i < count; i++) {
-        const clip_vertex *a = &polygon[i], *b = &polygon[(i + 1) % count];
+        const corner *a = &polygon[i], *b = &polygon[(i + 1) % count];
         if (a->view.z > NEAR && wanted++ < CLIP_MOST) {
             assert_memory_equal(&room[wanted - 1], a, sizeof *a);
         }
         if ((a->view.z > NEAR) != (b->view.z > NEAR) && wanted++ < CLIP_MOST) {
             /* half way, by what the corners are: depth NEAR +- 500, x the number of the corner times 64 */
-            const clip_vertex *c = &room[wanted - 1];
+            const corner *c = &room[wanted - 1];
             const double middle = (double)(a->view.x + b->view.x) / 2;
             assert_true((double)c->view.z >= NEAR - 1 && (double)c->view.z <= NEAR + 1);
             assert_true((double)c->view.x >= middle - 1 && (double)c->view.x <= middle + 1);
@@ -54,7 +54,7 @@ static void test_polygons_that_are_not_convex(void **state)
     (void)state;
     for (int count = 3; count <= CLIP_MOST; count++) {
         for (int inside = 0; inside < 1 << count; inside++) { /* a bit a corner */
-            clip_vertex polygon[CLIP_MOST];
+            corner polygon[CLIP_MOST];
             memset(polygon, 0, sizeof polygon);
             for (int i = 0; i < count; i++) {
                 polygon[i].view.x = polygon[i].attribute[0] = (real)(i * 64);

@@ -50,7 +50,8 @@ SIZE_PROGRAMS := m0plus-fixed m0plus-fixed_phong m0plus-fixed_diffuse m0plus-flo
 	avr-fixed_phong avr-fixed_diffuse
 size_target = $(firstword $(subst -, ,$(1)))
 size_backend = $(lastword $(subst -, ,$(1)))
-m0plus_LINK := $(LINK_ARM)
+# Loops that copy or set bytes stay loops: else those of small_memory.c would be calls of themselves.
+m0plus_LINK := $(LINK_ARM) -fno-tree-loop-distribute-patterns $(STARTUP)/small_memory.c
 m0plus_LINK_LIBS := -lc_nano -lgcc
 m4f_LINK := $(LINK_ARM)
 m4f_LINK_LIBS := -lc_nano -lgcc
