@@ -130,9 +130,9 @@ typedef int32_t clip_ratio;
 static inline clip_ratio clip_crossing(plane_distance inside, plane_distance outside)
 {
     const uint64_t whole = (uint64_t)inside + magnitude64(outside);
-    const int bits = bit_length64(whole);
-    const uint32_t divisor = (uint32_t)(bits > 32 ? whole >> (bits - 32) : whole << (32 - bits));
-    const uint32_t dividend = (uint32_t)(bits > 32 ? (uint64_t)inside >> (bits - 32) : (uint64_t)inside << (32 - bits));
+    int bits;
+    const uint32_t divisor = normalize64(whole, &bits);
+    const uint32_t dividend = (uint32_t)((uint64_t)inside << (64 - bits) >> 32);
     /* dividend / divisor = dividend r / 2^62 */
     const uint32_t quotient_q30 = multiply_high_u32(dividend, glint_reciprocal_q31(divisor)); /* may be 2 above 1 */
     const int32_t ratio_q30 = quotient_q30 < (uint32_t)1 << 30 ? (int32_t)quotient_q30 : (int32_t)1 << 30;

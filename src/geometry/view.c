@@ -224,19 +224,23 @@ void glint_transform_set_up(glint_transform *transform, const glint_view *view, 
 static bool keeps_angles(int32_t linear_q16[3][3], uint64_t *three_squares_q32)
 {
     int32_t transposed_q16[3][3];
-    int64_t gram[3][3]; /* <= 3 2^52 */
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++) {
             transposed_q16[i][k] = linear_q16[k][i];
         }
     }
-    product((const int32_t(*)[3])transposed_q16, (const int32_t(*)[3])linear_q16, gram);
-    *three_squares_q32 = (uint64_t)(gram[0][0] + gram[1][1] + gram[2][2]);
-    const uint64_t limit = (uint64_t)gram[0][0] >> 13;
+    const int64_t first_q32 = dot(transposed_q16[0], transposed_q16[0]);
+    const uint64_t limit = (uint64_t)first_q32 >> 13;
+    *three_squares_q32 = 0;
     for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++) {
-            GLINT_TRACE("gram q32", gram[i][k]);
-            if (magnitude64(gram[i][k] - (i == k ? gram[0][0] : 0)) > limit) {
+        for (int k = 0; k <= i; k++) {
+            int64_t entry_q32 = dot(transposed_q16[i], transposed_q16[k]); /* <= 3 2^52 */
+            GLINT_TRACE("gram q32", entry_q32);
+            if (i == k) {
+                *three_squares_q32 += (uint64_t)entry_q32;
+                entry_q32 -= first_q32;
+            }
+            if (magnitude64(entry_q32) > limit) {
                 return false;
             }
         }

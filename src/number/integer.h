@@ -141,7 +141,7 @@ int64_t glint_shift_round64(int64_t value, int shift);
 
 /* A function that is inline, unless code is to be small and it is called from more than one place. */
 #if defined __GNUC__ && defined __OPTIMIZE_SIZE__
-#define GLINT_SHARED __attribute__((noinline))
+#define GLINT_SHARED __attribute__((noinline, unused))
 #else
 #define GLINT_SHARED inline
 #endif
@@ -230,10 +230,15 @@ static inline int bit_length64(uint64_t value)
  * value > 0. */
 static inline uint32_t normalize64(uint64_t value, int *bits)
 {
+#if GLINT_SHARE_CODE
+    *bits = bit_length64(value);
+    return (uint32_t)(value << (64 - *bits) >> 32);
+#else
     const uint32_t high = (uint32_t)(value >> 32), low = (uint32_t)value;
     const int zeros = clz32(high ? high : low);
     *bits = (high ? 64 : 32) - zeros;
     return high ? high << zeros | low >> 1 >> (31 - zeros) : low << zeros;
+#endif
 }
 
 /* floor(a b / 2^32) from four 16 x 16 bit products. */
@@ -351,7 +356,7 @@ static inline int64_t shift_round64(int64_t value, int shift)
 }
 
 /* value 2^-down, rounded to nearest, halves up, modulo 2^32; down > -32; 0 when every bit is shifted out. */
-static inline int32_t shift_round32(int32_t value, int down)
+static GLINT_SHARED int32_t shift_round32(int32_t value, int down)
 {
     if (down <= 0) {
         return (int32_t)((uint32_t)value << -down);

@@ -10,13 +10,13 @@ int64_t glint_signed_area_wide(const glint_point corner[3])
     return area;
 }
 
-static int32_t least(int32_t a, int32_t b, int32_t c)
+static GLINT_SHARED int32_t least(int32_t a, int32_t b, int32_t c)
 {
     const int32_t ab = a < b ? a : b;
     return ab < c ? ab : c;
 }
 
-static int32_t greatest(int32_t a, int32_t b, int32_t c)
+static GLINT_SHARED int32_t greatest(int32_t a, int32_t b, int32_t c)
 {
     const int32_t ab = a > b ? a : b;
     return ab > c ? ab : c;
@@ -28,7 +28,7 @@ static int32_t first_pixel(int32_t subpixels)
     return (subpixels + GLINT_SUBPIXEL / 2 - 1) >> GLINT_SUBPIXEL_BITS;
 }
 
-static int16_t clamp_pixel(int32_t pixel, int32_t low, int32_t high)
+static GLINT_SHARED int16_t clamp_pixel(int32_t pixel, int32_t low, int32_t high)
 {
     return (int16_t)(pixel < low ? low : pixel > high ? high : pixel);
 }

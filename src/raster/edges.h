@@ -71,7 +71,7 @@ static inline int64_t glint_signed_area(const glint_point corner[3])
 {
     const int32_t ax = corner[1].x - corner[0].x, ay = corner[1].y - corner[0].y;
     const int32_t bx = corner[2].x - corner[0].x, by = corner[2].y - corner[0].y;
-    if (((ax ^ -(ax < 0)) | (ay ^ -(ay < 0)) | (bx ^ -(bx < 0)) | (by ^ -(by < 0))) >> 15 == 0) {
+    if (!GLINT_SHARE_CODE && ((ax ^ -(ax < 0)) | (ay ^ -(ay < 0)) | (bx ^ -(bx < 0)) | (by ^ -(by < 0))) >> 15 == 0) {
         /* -2^15..2^15 - 1, 128 px: 32 bits hold it, and small processors are spared wide products */
         return ax * by - bx * ay;
     }

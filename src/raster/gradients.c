@@ -26,7 +26,7 @@ static const glint_screen_vertex *opposite_to(const glint_gradients *gradients, 
 /* dx1 -dy0 + dx0 dy1 < 2^48. */
 static int64_t area_of(const int32_t dx[2], const int32_t dy[2], uint32_t any)
 {
-    if (any >> 20 == 0) {
+    if (!GLINT_SHARE_CODE && any >> 20 == 0) {
         /* up to 256 px, dy in two parts of 10 bits: each sum of two products < 2^31 */
         const int32_t upper = dx[0] * (dy[1] >> 10) - dx[1] * (dy[0] >> 10);
         const int32_t lower = dx[0] * (dy[1] & 1023) - dx[1] * (dy[0] & 1023);
@@ -36,7 +36,7 @@ static int64_t area_of(const int32_t dx[2], const int32_t dy[2], uint32_t any)
 }
 
 /* d r / 2^31 2^-down, rounded, for |d| <= 2^30 and 2^30 <= r < 2^31 in halves. */
-static int32_t times(int32_t d, int32_t r_high, int32_t r_low, int down)
+static GLINT_SHARED int32_t times(int32_t d, int32_t r_high, int32_t r_low, int down)
 {
     const int32_t d_high = high_half(d), d_low = low_half(d);
     /* at most 2^14 2^15 + 2^15 2^15; the product of the low halves, left out, is at most 1/2 */
