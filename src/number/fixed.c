@@ -58,11 +58,22 @@ NOT_INLINE int64_t glint_shift_round64(int64_t value, int shift)
     return shift_round64_inline(value, shift);
 }
 
+/* The middle of the cell's reciprocals, 1/x for x in 1 + cell/64 .. 1 + (cell + 1)/64. A short division is shorter than
+ * the table. */
+static uint32_t reciprocal_seed_q15(uint32_t cell)
+{
+#if GLINT_SHORT_DIVISION
+    return glint_divide_u32(((uint32_t)1 << 22) + 64 + cell, 129 + 2 * cell);
+#else
+    return flash_u16(&glint_reciprocal_seed_q15[cell]);
+#endif
+}
+
 uint32_t glint_reciprocal_q31(uint32_t x_q31)
 {
     const uint32_t x_high = x_q31 >> 16, x_low = x_q31 & 0xffff;
     /* relative error below 2^-7 */
-    const uint32_t seed_q15 = flash_u16(&glint_reciprocal_seed_q15[(x_q31 >> 25) & 63]);
+    const uint32_t seed_q15 = reciprocal_seed_q15((x_q31 >> 25) & 63);
     /* First step with the upper 16 bits of x, which stand for themselves and a half; |residual| < 2^23. The step
      * leaves the square of the seed's error and so too little, 0..2^-14: half of that is added. */
     const int32_t residual_q30 =
@@ -275,17 +286,16 @@ uint32_t glint_square_root_u32(uint32_t x)
 
 uint32_t glint_square_root_u64(uint64_t x)
 {
-    /* digit by digit, from the highest pair of bits */
-    uint64_t root = 0, rest = x;
-    for (uint64_t bit = (uint64_t)1 << 62; bit; bit >>= 2) {
-        if (rest >= root + bit) {
-            rest -= root + bit;
-            root = (root >> 1) + bit;
-        } else {
-            root >>= 1;
+    /* bit by bit, from the highest */
+    const uint32_t high = (uint32_t)(x >> 32), low = (uint32_t)x;
+    uint32_t root = 0;
+    for (uint32_t bit = (uint32_t)1 << 31; bit; bit >>= 1) {
+        const uint32_t more = root | bit, square_high = multiply_high_u32(more, more);
+        if (square_high < high || (square_high == high && more * more <= low)) {
+            root = more;
         }
     }
-    return (uint32_t)root;
+    return root;
 }
 
 bool glint_unit_q30(const int64_t v[3], int32_t unit_q30[3])

@@ -117,6 +117,11 @@ static inline int clz32_search(uint32_t value)
 #else
 #define GLINT_SHARE_CODE 0
 #endif
+#if GLINT_SHARE_CODE && defined(__ARM_ARCH_6M__)
+#define GLINT_SHORT_DIVISION 1
+#else
+#define GLINT_SHORT_DIVISION 0
+#endif
 int glint_clz32(uint32_t value);
 uint32_t glint_divide_u32(uint32_t a, uint32_t b);
 uint32_t glint_multiply_high_u32(uint32_t a, uint32_t b);
@@ -178,7 +183,7 @@ static inline int clz32(uint32_t value)
 /* a / b, rounded down, b > 0. On a processor without a division the compiler's routine is quick and long. */
 static inline uint32_t divide_u32(uint32_t a, uint32_t b)
 {
-#if GLINT_SHARE_CODE && defined(__ARM_ARCH_6M__)
+#if GLINT_SHORT_DIVISION
     return glint_divide_u32(a, b);
 #else
     return a / b;
