@@ -70,7 +70,7 @@ typedef enum glint_error {
     GLINT_ERROR_DISPLAY_BUFFERS = -64, /* more than 2 buffers, or 2 without `transfers` */
     GLINT_ERROR_DISPLAY_STRIDE = -65,  /* stride_bytes shorter than a row, or odd with 16-bit pixels */
     GLINT_ERROR_SHADING = -66,         /* unknown shading */
-    GLINT_ERROR_PART = -68,            /* the variant of the backend has no specular term, point lights ... (fixed.h) */
+    GLINT_ERROR_PART = -68,            /* the variant of the backend has no specular term, report ... (fixed.h) */
     GLINT_ERROR_TOLERANCE = -67,       /* below GLINT_LEAST_TOLERANCE, or together with a shading */
 
     /* extended sources */

@@ -42,6 +42,11 @@ size_t glint_fixed_memory_least_bytes(const glint_scene *scene, const glint_disp
  * Variants for programs that have little flash: the same functions, the same pictures, of fewer parts. A scene that
  * asks for more is refused with GLINT_ERROR_PART. The linker takes the variants that a program calls, and no others.
  *
+ * A variant looks at what belongs to a part that it has not only as far as it takes to see whether the scene asks for
+ * it: a texture of size 0 then gets GLINT_ERROR_PART, and an exponent out of range nothing, where no specular term
+ * could show it. All else is checked, with the same codes. These variants have no report: `report` must be NULL, else
+ * GLINT_ERROR_PART. They look at each triangle in each band, so they keep no lists of them, and take less memory.
+ *
  *   glint_fixed_phong_    exact shading at each pixel: no tolerance, no q1 and q2, no Gouraud and flat shading
  *   glint_fixed_diffuse_  of these, only ambient and diffuse terms, only directional lights
  */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * How much working memory a frame takes, at compile time. glint_fixed_memory_bytes() and glint_float_memory_bytes()
- * give the exact number at run time, never more than this.
+ * give the exact number at run time, never more than this. What would take 4 GiB or more is not drawn by any memory.
  */
 #ifndef GLINT_MEMORY_WORDS
 

@@ -3,7 +3,8 @@
  * Parts of a backend that a program may do without. Each variant of a backend, a file of this folder, is the same
  * bodies compiled with BACKEND_PARTS as a constant: what a part does stands behind HAS(part), so that the compiler
  * leaves it out, and the linker takes only the variants that a program calls. A scene that asks for a part that its
- * variant has not is refused, never drawn otherwise.
+ * variant has not is refused, never drawn otherwise. Validation, plan and memory are bodies of the variants too.
+ * PART_SPANS and PART_LISTS change no picture: they cost flash and save time.
  */
 #ifndef GLINT_BACKEND_PARTS_H
 #define GLINT_BACKEND_PARTS_H
@@ -21,7 +22,8 @@
 #define PART_TEXTURES 1024u
 #define PART_SHADOWS 2048u
 #define PART_REPORT 4096u /* glint_report: what a frame took, and the error promised */
-#define PART_SPANS 8192u  /* rows of triangles by their ends, quicker than pixel by pixel; TIERS and FINISH ask for it */
+#define PART_SPANS 8192u  /* rows of triangles by their ends, quicker than pixel by pixel; TIERS and FINISH ask for it \
+                           */
 #define PART_LISTS 16384u /* triangles sorted into bands once a frame, quicker than looking at each in each band */
 #define PARTS_ALL 32767u
 

@@ -71,7 +71,7 @@ static inline bool project_coordinate(int32_t coordinate, uint32_t r, int down, 
 
 /* Z >= near_z, but for the rounding of a clipped vertex. False beyond the guard band. */
 static GLINT_SHARED bool vertex_project(const transform_state *state, const view_vertex *v, const glint_view *view,
-                                  glint_screen_vertex *screen)
+                                        glint_screen_vertex *screen)
 {
     const uint32_t z = v->z > 0 ? (uint32_t)v->z : 1;
     const int zeros = clz32(z);

@@ -359,7 +359,8 @@ void glint_frame_set_up(glint_frame *frame, const glint_view *view, const glint_
         const glint_scaled inverse = glint_scaled_times(inverse_root, 1859775393u, 30);
         for (int i = 0; i < 3; i++) {
             for (int k = 0; k < 3; k++) {
-                const int64_t entry = glint_shift_round64(multiply_wide_s32(linear_q16[i][k], inverse.m), 30 - 16 - inverse.f);
+                const int64_t entry =
+                    glint_shift_round64(multiply_wide_s32(linear_q16[i][k], inverse.m), 30 - 16 - inverse.f);
                 GLINT_TRACE("from world q30", entry);
                 frame->from_world_q30[k][i] = (int32_t)entry;
                 linear_q16[i][k] = (int32_t)entry; /* Q30 now: axis k of the frame in world components */

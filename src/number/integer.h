@@ -109,8 +109,8 @@ static inline int clz32_search(uint32_t value)
 }
 
 /*
- * Compiled for size, one copy of these in number/fixed.c serves all files: what has `search`, `narrow` or `inline` in its
- * name; and a division.
+ * Compiled for size, one copy of these in number/fixed.c serves all files: what has `search`, `narrow` or `inline` in
+ * its name; and a division.
  */
 #if defined(__OPTIMIZE_SIZE__)
 #define GLINT_SHARE_CODE 1

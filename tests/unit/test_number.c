@@ -299,6 +299,22 @@ static void check_root(uint64_t x)
     }
 }
 
+static void divisions_are_exact(void **state)
+{
+    static const uint32_t at_the_ends[] = {0, 1, 2, 3, 0x7fffffff, 0x80000000, 0x80000001, 0xfffffffe, 0xffffffff};
+    enum { ENDS = sizeof at_the_ends / sizeof *at_the_ends };
+    (void)state;
+    for (int i = 0; i < ENDS; i++) {
+        for (int k = 1; k < ENDS; k++) {
+            assert_int_equal(glint_divide_u32(at_the_ends[i], at_the_ends[k]), at_the_ends[i] / at_the_ends[k]);
+        }
+    }
+    for (int round = 0; round < 1000000; round++) {
+        const uint32_t a = random_u32() >> random_between(0, 31), b = (random_u32() >> random_between(0, 31)) | 1;
+        assert_int_equal(glint_divide_u32(a, b), a / b);
+    }
+}
+
 static void square_root_is_exact(void **state)
 {
     (void)state;
@@ -369,6 +385,9 @@ static void tables_hold_what_their_names_say(void **state)
     for (int i = 0; i < 64; i++) { /* the middle of the reciprocal's range or of x's: nearer than 2^-13 of each other */
         const long double middle = 32768 / (1 + (i + 0.5L) / 64);
         assert_true(fabsl((long double)glint_reciprocal_seed_q15[i] - middle) <= 4);
+        /* by which number/fixed.c computes it where code is to be small */
+        assert_int_equal(glint_reciprocal_seed_q15[i],
+                         glint_divide_u32(((uint32_t)1 << 22) + 64 + (uint32_t)i, 129 + 2 * (uint32_t)i));
     }
     check_root_table();
     for (int i = 0; i <= 1 << GLINT_POWER_CELLS_LOG2; i++) {
@@ -405,6 +424,7 @@ int main(void)
         numeric_test(power_keeps_its_bound),
         numeric_test(power_falls_with_the_gap),
         numeric_test(sine_and_cosine_keep_their_bound),
+        numeric_test(divisions_are_exact),
         numeric_test(square_root_is_exact),
         numeric_test(scaled_numbers_keep_their_bounds),
         numeric_test(tables_hold_what_their_names_say),
