@@ -113,15 +113,14 @@ void glint_edges_set_up_values(glint_edges *edges, const glint_point corner[3], 
 {
     const int32_t centre_x = box.x_first * GLINT_SUBPIXEL + GLINT_SUBPIXEL / 2;
     const int32_t centre_y = box.y_first * GLINT_SUBPIXEL + GLINT_SUBPIXEL / 2;
-    int from = clockwise ? 1 : 2, to = 3 - from;
     edges->box = box;
-    for (int i = 0; i < 3; i++) { /* the edge opposite corner i of the clockwise order: 1 to 2, 2 to 0, 0 to 1 */
-        const glint_point *const a = &corner[from], *const b = &corner[to];
+    edges->order[0] = 0;
+    edges->order[1] = clockwise ? 1 : 2;
+    edges->order[2] = clockwise ? 2 : 1;
+    for (int i = 0; i < 3; i++) { /* the edge opposite corner i: from the next corner to the one after it */
+        const glint_point *const a = &corner[edges->order[i < 2 ? i + 1 : 0]];
+        const glint_point *const b = &corner[edges->order[i > 0 ? i - 1 : 2]];
         (void)set_up_edge(edges, i, centre_x - a->x, centre_y - a->y, centre_x - b->x, centre_y - b->y);
-        const int next = 3 - from - to;
-        edges->order[i] = (uint8_t)next;
-        from = to;
-        to = next;
     }
 }
 
