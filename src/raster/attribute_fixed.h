@@ -39,7 +39,7 @@ static inline int32_t inverse_of(int32_t depth_q30, inverse_scale shift)
  * interpolation passes the corners' range. */
 static inline void surface_set_inverse(surface *at, int32_t depth_q30, inverse_scale shift)
 {
-    if (!HAS(PART_POINTS)) {
+    if (!HAS(GLINT_PART_POINTS)) {
         return;
     }
     const int32_t inverse = depth_q30 - GLINT_DEPTH_BIAS, most = ((int32_t)1 << 30) >> shift;
@@ -149,7 +149,7 @@ static inline void rays_prepare(pixel_rays *rays, const glint_frame *frame, cons
         }
     }
     rays->fraction = (int8_t)frame->ray_fraction;
-    if (!HAS(PART_TIERS)) {
+    if (!HAS(GLINT_PART_TIERS)) {
         return;
     }
     rays->down = rays_down(rays, (int16_t)(view->width_px - 1), (int16_t)(view->height_px - 1));
