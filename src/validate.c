@@ -293,20 +293,23 @@ static bool is_black(const glint_colour *colour)
 static uint32_t parts_of_light(const glint_light *light)
 {
     const glint_attenuation *a = &light->attenuation;
-    const uint32_t shadows = light->casts_shadows ? PART_SHADOWS : 0;
+    const uint32_t shadows = light->casts_shadows ? GLINT_PART_SHADOWS : 0;
     if (light->kind == GLINT_DIRECTIONAL) {
         return shadows;
     }
     const bool attenuated = a->range_q16 != 0 || (a->k_q14[0] | a->k_q14[1] | a->k_q14[2]) != 0;
-    return shadows | PART_POINTS | (attenuated || light->kind == GLINT_SPOT ? PART_REACH : 0) |
-           (light->kind == GLINT_PANEL || light->kind == GLINT_BALL ? PART_EXTENTS : 0);
+    return shadows | GLINT_PART_POINTS | (attenuated || light->kind == GLINT_SPOT ? GLINT_PART_REACH : 0) |
+           (light->kind == GLINT_PANEL || light->kind == GLINT_BALL ? GLINT_PART_EXTENTS : 0);
 }
 
 static uint32_t parts_of_material(const glint_material *material)
 {
-    return (is_black(&material->specular) ? 0 : PART_SPECULAR) | (is_black(&material->mirror) ? 0 : PART_MIRRORS) |
-           (material->sides == GLINT_FRONT_SIDE ? 0 : PART_SIDES) | (material->texture == NULL ? 0 : PART_TEXTURES) |
-           (material->transmission_q14 == 0 && material->wire_width_q4 == 0 ? 0 : PART_FINISH);
+    return (is_black(&material->specular) ? 0 : GLINT_PART_SPECULAR) |
+           (is_black(&material->mirror) ? 0 : GLINT_PART_MIRRORS) |
+           (material->sides == GLINT_FRONT_SIDE ? 0 : GLINT_PART_SIDES) |
+           (material->texture == NULL ? 0 : GLINT_PART_TEXTURES) |
+           (material->transmission_q14 == 0 ? 0 : GLINT_PART_TRANSMISSION) |
+           (material->wire_width_q4 == 0 ? 0 : GLINT_PART_WIRE);
 }
 
 /* Is there a part that a valid scene asks for and the backend has not? */
@@ -314,12 +317,12 @@ static bool lacks_part(const glint_scene *scene, const glint_quality *quality, u
 {
     uint32_t asked = 0;
     if (quality->tolerance != 0 || quality->shading >= GLINT_SHADING_Q1) {
-        asked |= PART_TIERS;
+        asked |= GLINT_PART_TIERS;
     } else if (quality->shading != GLINT_SHADING_EXACT) {
-        asked |= PART_CORNERS;
+        asked |= GLINT_PART_CORNERS;
     }
-    asked |= is_black(&scene->sky) && is_black(&scene->ground) ? 0 : PART_SKY;
-    asked |= (scene->fog.begin_q16 | scene->fog.end_q16) == 0 ? 0 : PART_FINISH;
+    asked |= is_black(&scene->sky) && is_black(&scene->ground) ? 0 : GLINT_PART_SKY;
+    asked |= (scene->fog.begin_q16 | scene->fog.end_q16) == 0 ? 0 : GLINT_PART_FOG;
     for (uint16_t i = 0; i < scene->light_count; i++) {
         asked |= parts_of_light(&scene->lights[i]);
     }

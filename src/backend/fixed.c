@@ -2,7 +2,7 @@
 /*
  * The fixed backend with all its parts.
  */
-#define BACKEND_PARTS PARTS_ALL
+#define GLINT_PARTS GLINT_PARTS_ALL
 #define BACKEND_NAME(name) glint_fixed_##name
 
 #include "backend/fixed.inc"

@@ -2,7 +2,7 @@
 /*
  * The fixed backend with exact shading at each pixel alone.
  */
-#define BACKEND_PARTS (PART_SPECULAR | PART_POINTS)
+#define GLINT_PARTS (GLINT_PART_SPECULAR | GLINT_PART_POINTS)
 #define BACKEND_NAME(name) glint_fixed_phong_##name
 
 #include "backend/fixed.inc"

@@ -2,7 +2,7 @@
 /*
  * The float backend with all its parts.
  */
-#define BACKEND_PARTS PARTS_ALL
+#define GLINT_PARTS GLINT_PARTS_ALL
 #define BACKEND_NAME(name) glint_float_##name
 
 #include "backend/float.inc"

@@ -1,31 +1,23 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Parts of a backend that a program may do without. Each variant of a backend, a file of this folder, is the same
- * bodies compiled with BACKEND_PARTS as a constant: what a part does stands behind HAS(part), so that the compiler
- * leaves it out, and the linker takes only the variants that a program calls. A scene that asks for a part that its
- * variant has not is refused, never drawn otherwise.
+ * Parts of a backend that a program may do without, see <glint/parts.h>. Each variant of a backend is the same bodies
+ * compiled with GLINT_PARTS as a constant: what a part does stands behind HAS(part), so that the compiler leaves it
+ * out, and the linker takes only the variants that a program calls. A scene that asks for a part that its variant has
+ * not is refused, never drawn otherwise.
  */
 #ifndef GLINT_BACKEND_PARTS_H
 #define GLINT_BACKEND_PARTS_H
 
-#define PART_SPECULAR 1u /* the specular term */
-#define PART_POINTS 2u   /* point lights */
-#define PART_CORNERS 4u  /* Gouraud and flat shading */
-#define PART_TIERS 8u    /* tolerances, and the shadings q1 and q2 */
-#define PART_REACH 16u   /* spot lights, attenuation */
-#define PART_EXTENTS 32u /* panels and balls of light */
-#define PART_SKY 64u     /* ambient light by the normal */
-#define PART_MIRRORS 128u
-#define PART_SIDES 256u  /* surfaces of which the inside is shown */
-#define PART_FINISH 512u /* what comes between shading and packing: fog, transmission, edges of the mesh */
-#define PART_TEXTURES 1024u
-#define PART_SHADOWS 2048u
-#define PARTS_ALL 4095u
+#include <glint/parts.h>
 
-#ifndef BACKEND_PARTS
-#define BACKEND_PARTS PARTS_ALL
+#ifndef GLINT_PARTS
+#define GLINT_PARTS GLINT_PARTS_ALL
 #endif
 
-#define HAS(part) ((BACKEND_PARTS & (part)) != 0)
+/* Is one of the parts there? */
+#define HAS(parts) ((GLINT_PARTS & (parts)) != 0)
+
+/* What comes between shading and packing. */
+#define PARTS_AFTER_SHADING (GLINT_PART_FOG | GLINT_PART_TRANSMISSION | GLINT_PART_WIRE)
 
 #endif

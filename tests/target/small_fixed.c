@@ -6,10 +6,12 @@
 #include "backend/parts.h"
 
 #ifndef SMALL_PARTS
-#define SMALL_PARTS (PARTS_ALL & ~(PART_TIERS | PART_SKY | PART_SIDES | PART_FINISH)) /* not in the self-test */
+#define SMALL_PARTS                                                                                                    \
+    (GLINT_PARTS_ALL &                                                                                                 \
+     ~(GLINT_PART_TIERS | GLINT_PART_SKY | GLINT_PART_SIDES | PARTS_AFTER_SHADING)) /* not in the self-test */
 #endif
-#undef BACKEND_PARTS
-#define BACKEND_PARTS SMALL_PARTS
+#undef GLINT_PARTS
+#define GLINT_PARTS SMALL_PARTS
 #define BACKEND_NAME(name) glint_fixed_##name
 
 #include "backend/fixed.inc"
