@@ -121,7 +121,8 @@ int glint_clz32(uint32_t value);
 uint32_t glint_multiply_high_u32(uint32_t a, uint32_t b);
 int32_t glint_multiply_high_s32(int32_t a, int32_t b);
 
-/* A function whose variables are to leave the stack when it returns: one whose caller goes on to call deeper. */
+/* A function whose variables are to leave the stack when it returns, since its caller goes on to call deeper, or whose
+ * loops would share the registers with all that is alive in its caller. */
 #if defined __GNUC__
 #define GLINT_APART __attribute__((noinline))
 #else
@@ -140,14 +141,6 @@ int32_t glint_multiply_high_s32(int32_t a, int32_t b);
 #define GLINT_FOLDED inline __attribute__((always_inline))
 #else
 #define GLINT_FOLDED inline
-#endif
-
-/* A function that is kept apart: within its caller, its loops would share the registers with all that is alive there.
- */
-#if defined __GNUC__
-#define GLINT_APART __attribute__((noinline))
-#else
-#define GLINT_APART
 #endif
 
 /* Number of leading zero bits; 32 for 0. */

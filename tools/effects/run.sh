@@ -63,8 +63,8 @@ memory() { # report kind
     awk -v kind="$2" '$1 == "memory" && $2 == kind { bytes = $3 } END { print bytes + 0 }' "$1"
 }
 
-has_symbol() { # elf pattern
-    arm-none-eabi-nm "$1" | awk '{ print $3 }' | grep -qE "$2"
+names_like() { # elf pattern
+    arm-none-eabi-nm "$1" | awk -v pattern="$2" '$3 ~ pattern { print $3 }'
 }
 
 scenes=$(awk '!/^#/ && NF && $3 != "-" { print $3 }' "$list" | sort -u)
@@ -76,15 +76,16 @@ echo "effect,target,flash,memory,plain_exact_without,plain_exact_with,plain_tole
 while read -r name _ scene symbols; do
     read -r fixed float < <(awk -v scene="$scene" '$1 == scene { print $2, $3; found = 1 } END { if (!found) { print "- -" } }' \
         "$build/effects/errors.txt") || true
+    found=
     for target in "${targets[@]}"; do
         small=$build/effects/$target-Os/$name fast=$build/effects/$target-O2/$name
         for which in with without; do
             grep -qx end "$fast-$which.txt" && ! grep -q '^failed' "$fast-$which.txt" ||
                 complain "$target $name $which: the program did not come to its end: $fast-$which.txt"
         done
-        ! has_symbol "$small-without.elf" "$symbols" ||
-            complain "$target $name: not linked, yet there: $(arm-none-eabi-nm "$small-without.elf" | awk '{ print $3 }' | grep -E "$symbols" | tr '\n' ' ')"
-        has_symbol "$small-with.elf" "$symbols" || complain "$target $name: linked, yet no name matches $symbols"
+        there=$(names_like "$small-without.elf" "$symbols" | tr '\n' ' ')
+        [ -z "$there" ] || complain "$target $name: not linked, yet there: $there"
+        found+=$(names_like "$small-with.elf" "$symbols")
         on=exact
         [ "$name" != tiers ] || on=tolerance
         [ "$(frame "$fast-without.txt" on $on)" = refused ] || complain "$target $name: not linked, yet not refused"
@@ -94,6 +95,8 @@ while read -r name _ scene symbols; do
                 printf '%s,%s,' "$(frame "$fast-without.txt" plain $shading)" "$(frame "$fast-with.txt" plain $shading)"
             done)$(frame "$fast-with.txt" on $on),$fixed,$float" >>"$csv"
     done
+    # in one of the images: a compiler may take a function into its caller
+    [ -n "$found" ] || complain "$name: linked, yet no name matches $symbols"
 done < <(grep -v '^#' "$list")
 
 awk -F , -v most="$most_percent" '
