@@ -66,12 +66,14 @@ MESH_GENERATOR := $(B)/generate-mesh
 LIBRARY := $(B)/libglint.a
 SCENES := $(B)/libscenes.a
 HOST := $(B)/libhost.a
+# For a choice of parts of a program's own, see include/glint/parts.h: a backend's bodies in one header.
+PARTS_HEADERS := $(patsubst %,$(B)/include/glint/%_parts.h,fixed float)
 HOST_ARCHIVES := $(HOST) $(SCENES) $(LIBRARY)
 
 # --------------------------------------------------------------------------------------------------------------- targets
 
 .PHONY: library
-library: $(LIBRARY) ## Build the library, build/libglint.a (the default)
+library: $(LIBRARY) $(PARTS_HEADERS) ## Build the library, build/libglint.a (the default)
 
 .PHONY: tools
 tools: $(B)/glint-render $(TOOLS) $(MESH_GENERATOR) ## Build the renderer and the host tools
@@ -92,9 +94,9 @@ demo: $(B)/glint-render $(B)/contact-sheet ## Draw every built-in scene and a co
 	done
 
 .PHONY: install
-install: $(LIBRARY) ## Install headers, library and glint.pc under PREFIX (default /usr/local; DESTDIR is honoured)
+install: library ## Install headers, library and glint.pc under PREFIX (default /usr/local; DESTDIR is honoured)
 	install -d $(DESTDIR)$(PREFIX)/include/glint $(DESTDIR)$(PREFIX)/lib/pkgconfig
-	install -m 644 include/glint/*.h $(DESTDIR)$(PREFIX)/include/glint
+	install -m 644 include/glint/*.h $(PARTS_HEADERS) $(DESTDIR)$(PREFIX)/include/glint
 	install -m 644 $(LIBRARY) $(DESTDIR)$(PREFIX)/lib
 	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' glint.pc.in > $(B)/glint.pc
 	install -m 644 $(B)/glint.pc $(DESTDIR)$(PREFIX)/lib/pkgconfig
@@ -156,6 +158,10 @@ $(eval $(call archive,$(LIBRARY),$(LIBRARY_SOURCES)))
 $(eval $(call archive,$(SCENES),$(SCENE_SOURCES)))
 $(eval $(call archive,$(HOST),$(HOST_SOURCES)))
 
+$(PARTS_HEADERS): $(B)/include/glint/%_parts.h: tools/parts-header.awk $(call rwildcard,src,%.h %.inc) $(BUILD_FILES)
+	@mkdir -p $(@D)
+	$(call run,MAKE)awk -v backend=$* -f tools/parts-header.awk >$@
+
 # The renderer holds a second copy of the backends, which tells of each pixel: see examples/render/observed_backend.h.
 # The library's own is what is counted as covered.
 OBSERVED := $(patsubst src/backend/%.c,$(B)/obj/observed/%.o,$(OBSERVED_SOURCES))
@@ -186,6 +192,7 @@ include tools/make/test.mk
 include tools/make/target.mk
 include tools/make/emulate.mk
 include tools/make/cost.mk
+include tools/make/effects.mk
 include tools/make/fuzz.mk
 include tools/make/proofs.mk
 include tools/make/verify.mk

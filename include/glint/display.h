@@ -49,7 +49,8 @@ typedef struct glint_band {
  * Sends a band to the display; returns 0, or an error of your own that ends the rendering and is returned unchanged
  * (the transfer then counts as not started: do not tell its end). With `transfers` NULL in the display, the pixels may
  * be overwritten when it returns. Otherwise it may only start the transfer: the pixels stay as they are until
- * glint_flush_done() has been called once for this band.
+ * glint_flush_done() has been called once for this band. They are counted, not named: transfers must end in the order
+ * in which they began.
  */
 typedef int (*glint_flush)(void *context, const glint_band *band);
 

@@ -60,6 +60,12 @@ int glint_fixed_diffuse_render(const glint_scene *scene, const glint_display *di
 size_t glint_fixed_diffuse_memory_bytes(const glint_scene *scene, const glint_display *display);
 size_t glint_fixed_diffuse_memory_least_bytes(const glint_scene *scene, const glint_display *display);
 
+/* Those of a choice of parts of the program's own, see <glint/parts.h>; the program's own file defines them. */
+int glint_fixed_parts_render(const glint_scene *scene, const glint_display *display, const glint_quality *quality,
+                             void *memory, size_t memory_bytes, glint_report *report);
+size_t glint_fixed_parts_memory_bytes(const glint_scene *scene, const glint_display *display);
+size_t glint_fixed_parts_memory_least_bytes(const glint_scene *scene, const glint_display *display);
+
 #ifdef __cplusplus
 }
 #endif

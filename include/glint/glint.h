@@ -33,6 +33,7 @@
 #include <glint/float.h>
 #include <glint/memory.h>
 #include <glint/mesh.h>
+#include <glint/parts.h>
 #include <glint/place.h>
 #include <glint/plan.h>
 #include <glint/quality.h>

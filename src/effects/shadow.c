@@ -18,9 +18,10 @@ typedef struct search {
     glint_shadows *shadows;
     glint_shadow_light *light;
     const glint_shadow_receiver *receiver;
-    plane own, side[3]; /* own is turned to the light */
+    plane own; /* turned to the light */
     coarse_plane coarse[4];
-    int64_t eye; /* of the eye over own, turned as it is: -normal.base */
+    glint_shadow_box before; /* what lies between the receiver and the light */
+    int64_t eye;             /* of the eye over own, turned as it is: -normal.base */
     bool found;
 } search;
 
@@ -28,29 +29,82 @@ typedef char glint_assert_shadow_search[sizeof(search) <= sizeof((glint_shadows 
 
 #define COARSE_NORMAL_BITS 13
 
+/* A plane's normal for sheared coordinates: along a it is normal.v / 2^29, and the others stay. Times a factor of
+ * 1/2..1 of what it was, |v_a| / 2^29. */
+static int64_t sheared_normal(const glint_shadows *shadows, const int32_t normal[3], int k)
+{
+    return k != shadows->along ? normal[k] : glint_shift_round64(product_sum(normal, shadows->shear), -29);
+}
+
 /*
  * A normal of 13 bits and coordinates of 16: a height is below 3 2^28. It errs by half a unit of the normal for each
- * unit of the way from the base, at most 3 2^16, and by a unit of the way for each of the normal, at most 3 2^13.
+ * unit of the way from the base, at most 3 2^16; and of each coordinate by a unit for its rounding and by two for the
+ * shear's, for each unit of the normal.
  */
-static void coarse_from(coarse_plane *out, const plane *p, const uint8_t down[3])
+static void coarse_from(coarse_plane *out, const plane *p, const glint_shadows *shadows)
 {
     int64_t n[3], at = 0;
+    int32_t base[3];
     uint64_t any = 1;
+    glint_shadow_shear(shadows, p->base, base);
     for (int k = 0; k < 3; k++) {
-        n[k] = (int64_t)p->normal[k] * ((int64_t)1 << down[k]); /* < 2^45 */
+        n[k] = sheared_normal(shadows, p->normal, k) * ((int64_t)1 << shadows->coarse_bits[k]); /* < 2^48 */
         any |= magnitude64(n[k]);
     }
     const int shift = COARSE_NORMAL_BITS - bit_length64(any);
     for (int k = 0; k < 3; k++) {
         out->normal[k] = (int32_t)glint_shift_round64(n[k], shift);
-        at += ((int64_t)out->normal[k] * p->base[k]) >> down[k];
+        at += ((int64_t)out->normal[k] * base[k]) >> shadows->coarse_bits[k];
     }
-    out->least = (int32_t)at - (((int32_t)3 << 15) + ((int32_t)3 << COARSE_NORMAL_BITS) + 4);
+    out->least = (int32_t)at - (((int32_t)3 << 15) + ((int32_t)9 << COARSE_NORMAL_BITS) + 4);
 }
 
+static int16_t within_s16(int32_t value)
+{
+    return (int16_t)(value > INT16_MAX ? INT16_MAX : value < INT16_MIN ? INT16_MIN : value);
+}
+
+/* A box of what lies between the receiver and the light. */
+static void before_from(search *s, int32_t corner[3][3])
+{
+    const glint_shadows *const shadows = s->shadows;
+    int32_t sheared[3][3], light[3];
+    for (int i = 0; i < 3; i++) {
+        glint_shadow_shear(shadows, corner[i], sheared[i]);
+    }
+    glint_shadow_shear(shadows, s->light->v, light);
+    for (int k = 0; k < 3; k++) {
+        /* rounding, here and of what casts: of coordinates, of the shear, and what heights allow for it */
+        const int32_t margin = 2 + (4 * GLINT_SHADOW_NOISE >> shadows->coarse_bits[k]);
+        int32_t low = s->light->directional ? sheared[0][k] : light[k], high = low;
+        for (int i = 0; i < 3; i++) {
+            low = sheared[i][k] < low ? sheared[i][k] : low;
+            high = sheared[i][k] > high ? sheared[i][k] : high;
+        }
+        s->before.low[k] = within_s16((low >> shadows->coarse_bits[k]) - margin);
+        s->before.high[k] = within_s16((high >> shadows->coarse_bits[k]) + margin);
+        if (s->light->directional && light[k] > 0) {
+            s->before.high[k] = INT16_MAX;
+        } else if (s->light->directional && light[k] < 0) {
+            s->before.low[k] = INT16_MIN;
+        }
+    }
+}
+
+static bool boxes_meet(const glint_shadow_box *a, const glint_shadow_box *b)
+{
+    return a->low[0] <= b->high[0] && b->low[0] <= a->high[0] && a->low[1] <= b->high[1] && b->low[1] <= a->high[1] &&
+           a->low[2] <= b->high[2] && b->low[2] <= a->high[2];
+}
+
+/* Along the shear, what is in the box needs no look at the planes of the receiver's sides. */
 static bool box_may_cast(const search *s, const glint_shadow_box *box)
 {
-    for (int i = 0; i < 4; i++) {
+    const int planes = s->light->sheared ? 1 : 4;
+    if (!boxes_meet(&s->before, box)) {
+        return false;
+    }
+    for (int i = 0; i < planes; i++) {
         const int32_t *n = s->coarse[i].normal;
         if (n[0] * (n[0] > 0 ? box->high[0] : box->low[0]) + n[1] * (n[1] > 0 ? box->high[1] : box->low[1]) +
                 n[2] * (n[2] > 0 ? box->high[2] : box->low[2]) <
@@ -66,10 +120,25 @@ static int32_t coarse_height(const int32_t n[3], const int16_t v[3])
     return n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
 }
 
+/* Does a triangle lie beside the box, by one coordinate? */
+static bool lies_beside(const glint_shadow_box *box, const int16_t a[3], const int16_t b[3], const int16_t c[3])
+{
+    for (int k = 0; k < 3; k++) {
+        if ((a[k] < box->low[k] && b[k] < box->low[k] && c[k] < box->low[k]) ||
+            (a[k] > box->high[k] && b[k] > box->high[k] && c[k] > box->high[k])) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static bool coarse_may_cast(const search *s, const glint_shadow_object *object, const uint16_t vertex[3])
 {
     const int16_t *const a = object->coarse[vertex[0]], *const b = object->coarse[vertex[1]],
                          *const c = object->coarse[vertex[2]];
+    if (lies_beside(&s->before, a, b, c)) {
+        return false;
+    }
     for (int i = 0; i < 4; i++) {
         const int32_t *n = s->coarse[i].normal, least = s->coarse[i].least;
         if (coarse_height(n, a) < least && coarse_height(n, b) < least && coarse_height(n, c) < least) {
@@ -79,24 +148,48 @@ static bool coarse_may_cast(const search *s, const glint_shadow_object *object, 
     return true;
 }
 
-static bool triangle_may_cast(const search *s, int32_t v[3][3])
+/*
+ * Twice the area of a triangle as the light sees it, along which coarse coordinates are sheared: above 0 where the
+ * triangle turns its outside to it, but for a mirrored one. 0 where rounding may have its sign: by 2 units of each
+ * coordinate's difference, or of more than 2^14 units.
+ */
+static int32_t area_in_light(const search *s, const glint_shadow_object *object, const uint16_t vertex[3])
 {
-    int64_t noise[3], height[3];
-    for (int k = 0; k < 3; k++) {
-        height[k] = plane_height(&s->own, v[k], &noise[k]);
+    const int a = s->shadows->along, b = a < 2 ? a + 1 : 0, c = b < 2 ? b + 1 : 0;
+    const int16_t *const p = object->coarse[vertex[0]], *const q = object->coarse[vertex[1]],
+                         *const r = object->coarse[vertex[2]];
+    const int32_t qb = (int32_t)q[b] - p[b], qc = (int32_t)q[c] - p[c];
+    const int32_t rb = (int32_t)r[b] - p[b], rc = (int32_t)r[c] - p[c];
+    const uint32_t any = magnitude32(qb) | magnitude32(qc) | magnitude32(rb) | magnitude32(rc);
+    const uint8_t *const bits = s->shadows->coarse_bits;
+    if (any >= (uint32_t)1 << 14 || bits[b] < 3 || bits[c] < 3) { /* the shear's own error counts below 3 bits */
+        return 0;
     }
-    if (height[0] <= noise[0] && height[1] <= noise[1] && height[2] <= noise[2]) {
+    const int32_t area = qb * rc - qc * rb;
+    const uint32_t error = 2 * (magnitude32(qb) + magnitude32(qc) + magnitude32(rb) + magnitude32(rc)) + 8;
+    return magnitude32(area) <= error ? 0 : s->light->v[a] > 0 ? area : -area;
+}
+
+/* Of a surface that shows its outside alone, triangles that turn it to the light throw no shadow on others of it. */
+static bool own_front_at_once(const search *s, const glint_shadow_object *object, const uint16_t vertex[3])
+{
+    if (object->own_front || !s->light->sheared) {
         return false;
     }
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++) {
-            height[k] = plane_height(&s->side[i], v[k], &noise[k]);
-        }
-        if (height[0] < -noise[0] && height[1] < -noise[1] && height[2] < -noise[2]) {
-            return false;
+    const int32_t area = area_in_light(s, object, vertex);
+    return object->mirrored ? area < 0 : area > 0;
+}
+
+/* Does some of it lie above the receiver's plane? */
+static bool stands_out(const search *s, int32_t v[3][3])
+{
+    for (int k = 0; k < 3; k++) {
+        int64_t noise;
+        if (plane_height(&s->own, v[k], &noise) > noise) {
+            return true;
         }
     }
-    return true;
+    return false;
 }
 
 /*
@@ -157,7 +250,7 @@ static void cast_triangle(search *s, uint16_t number, uint16_t triangle)
     for (int i = 0; i < 3; i++) {
         vertex[i] = flash_u16(&object->mesh->triangles[triangle][i]);
     }
-    if (!coarse_may_cast(s, object, vertex)) {
+    if (!coarse_may_cast(s, object, vertex) || (own && own_front_at_once(s, object, vertex))) {
         return;
     }
     if (own && vertex[0] == s->receiver->vertex[0] && vertex[1] == s->receiver->vertex[1] &&
@@ -167,7 +260,7 @@ static void cast_triangle(search *s, uint16_t number, uint16_t triangle)
     for (int i = 0; i < 3; i++) {
         glint_shadow_vertex(object, vertex[i], v[i]);
     }
-    if (!triangle_may_cast(s, v)) {
+    if (!stands_out(s, v)) {
         return;
     }
     plane bound;
@@ -180,7 +273,7 @@ static void cast_triangle(search *s, uint16_t number, uint16_t triangle)
     }
     for (int i = 3; i >= 0; i--) {
         if (i < 3) {
-            plane_of_side(&bound, s->light, v, i, facing, false);
+            plane_of_side(&bound, s->light, v, i, facing);
         }
         line_of(&l[i], s, &bound);
         if (i == 3) { /* where it stands on the receiver, it is not beyond itself */
@@ -252,7 +345,9 @@ bool glint_shadow_fall(glint_shadows *shadows, const glint_shadow_receiver *rece
         return false;
     }
     for (int i = 0; i < 3; i++) {
-        plane_of_side(&s->side[i], s->light, corner, i, facing, true);
+        plane side;
+        plane_of_side(&side, s->light, corner, i, facing);
+        coarse_from(&s->coarse[i + 1], &side, shadows);
     }
     if (facing < 0) {
         plane_turn(&s->own);
@@ -261,10 +356,8 @@ bool glint_shadow_fall(glint_shadows *shadows, const glint_shadow_receiver *rece
     if (s->eye == 0) {
         return false; /* seen from the side: there are no pixels of it */
     }
-    coarse_from(&s->coarse[0], &s->own, shadows->coarse_bits);
-    for (int i = 0; i < 3; i++) {
-        coarse_from(&s->coarse[i + 1], &s->side[i], shadows->coarse_bits);
-    }
+    coarse_from(&s->coarse[0], &s->own, shadows);
+    before_from(s, corner);
     for (uint16_t i = 0; i < shadows->object_count; i++) {
         if (shadows->objects[i].casts) {
             cast_object(s, i);

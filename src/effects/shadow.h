@@ -41,7 +41,13 @@
 /* Triangles of a mesh, in its order, that share a box; boxes over two such, and so on, make a tree in that order. */
 #define GLINT_SHADOW_LEAF 8
 
-/* In coarse coordinates, rounded down: to look through a mesh takes products of 32 bits. */
+/*
+ * In coarse coordinates, of 16 bits and rounded down: to look through a mesh takes products of 32 bits. They are
+ * sheared along the first directional light that casts, so that what lies before a triangle, as that light sees it, has
+ * the triangle's coordinates but for one: boxes and rectangles tell most of it. With v the direction to the light and a
+ * its greatest component, the others b are p_b |v_a| / 2^29 -+ p_a v_b / 2^29, and p_a stays. For other lights, and
+ * where there is no such light, these are coordinates like any others.
+ */
 typedef struct glint_shadow_box {
     int16_t low[3], high[3];
 } glint_shadow_box;
@@ -57,6 +63,7 @@ typedef struct glint_shadow_object {
 typedef struct glint_shadow_light {
     int32_t v[3]; /* position, or the direction towards it */
     bool directional;
+    bool sheared;   /* along this one coarse coordinates are sheared */
     bool falls;     /* on the triangle that is being drawn there are shadows of this light */
     uint32_t *mask; /* rows of `words`: bit x % 32 of word x / 32, from the band's first row on */
 } glint_shadow_light;
@@ -67,9 +74,11 @@ typedef struct glint_shadows {
     uint16_t object_count, light_count, words;
     uint16_t width_px, height_px;
     int16_t xy_fraction, z_fraction; /* of the grid: f X 2^xy_fraction, Z 2^z_fraction */
-    uint8_t coarse_bits[3];          /* by which a coordinate is shifted down to 16 bits */
+    uint8_t coarse_bits[3];          /* by which a sheared coordinate is shifted down to 16 bits */
+    uint8_t along;                   /* coordinate a, */
+    int32_t shear[3];                /* v, with v_a above 0; 29 bits */
     int16_t y_first, y_last;         /* the band being drawn */
-    uint64_t search[36];             /* what is being looked for, here to leave the stack alone: see shadow.c */
+    uint64_t search[24];             /* what is being looked for, here to leave the stack alone: see shadow.c */
     uint32_t tests;                  /* casting triangles whose shadows were filled in */
 } glint_shadows;
 
@@ -95,6 +104,9 @@ uint64_t glint_shadow_bytes(const glint_scene *scene, uint16_t width_px, uint16_
 /* Sets all up for a frame, in that many bytes at `memory`. */
 void glint_shadows_set_up(glint_shadows *shadows, const glint_scene *scene, const glint_view *view, uint8_t *memory,
                           uint16_t band_px);
+
+/* The shear of a point on the grid: |.| < 2^30; it errs by 2 units. */
+void glint_shadow_shear(const glint_shadows *shadows, const int32_t p[3], int32_t out[3]);
 
 /* A vertex on the grid: |.| < 2^29. */
 void glint_shadow_vertex(const glint_shadow_object *object, uint16_t vertex, int32_t out[3]);

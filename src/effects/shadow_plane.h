@@ -113,17 +113,13 @@ static inline bool before(const int32_t a[3], const int32_t b[3])
 
 /* The plane through the light and an edge, its normal along (b - a) x s. Neighbours get the same one, turned, to the
  * bit: it is made from the smaller end on. */
-static inline void plane_of_edge(plane *p, const glint_shadow_light *light, const int32_t a[3], const int32_t b[3],
-                                 bool noisy)
+static inline void plane_of_edge(plane *p, const glint_shadow_light *light, const int32_t a[3], const int32_t b[3])
 {
     int32_t edge[3], towards[3];
     const bool turn = before(b, a);
     from_to(turn ? b : a, turn ? a : b, edge);
     towards_light(light, turn ? b : a, towards);
-    const int down = plane_along(p, turn ? b : a, edge, towards);
-    if (noisy) {
-        plane_noise(p, edge, towards, down);
-    }
+    (void)plane_along(p, turn ? b : a, edge, towards);
     if (turn) {
         plane_turn(p);
     }
@@ -145,10 +141,9 @@ static inline int plane_of_face(plane *own, const glint_shadow_light *light, int
 }
 
 /* The plane through the light and edge i of a triangle, its positive side towards the third corner. */
-static inline void plane_of_side(plane *side, const glint_shadow_light *light, int32_t corner[3][3], int i, int facing,
-                                 bool noisy)
+static inline void plane_of_side(plane *side, const glint_shadow_light *light, int32_t corner[3][3], int i, int facing)
 {
-    plane_of_edge(side, light, corner[i], corner[i == 2 ? 0 : i + 1], noisy);
+    plane_of_edge(side, light, corner[i], corner[i == 2 ? 0 : i + 1]);
     if (facing > 0) { /* inside is against (b - a) x s for a triangle that faces the light */
         plane_turn(side);
     }

@@ -75,6 +75,37 @@ static int16_t smaller(int16_t a, int16_t b)
     return a < b ? a : b;
 }
 
+void glint_shadow_shear(const glint_shadows *shadows, const int32_t p[3], int32_t out[3])
+{
+    const int a = shadows->along;
+    for (int k = 0; k < 3; k++) {
+        out[k] = p[k];
+        if (k != a) { /* |v_a| p_b / 2^29 - v_b p_a / 2^29 */
+            out[k] =
+                multiply_high_s32(p[k] * 4, shadows->shear[a] * 2) - multiply_high_s32(p[a] * 4, shadows->shear[k] * 2);
+        }
+        GLINT_TRACE("shadow sheared", out[k]);
+    }
+}
+
+/* Shears along this light, or with NULL not at all. */
+static void shear_set_up(glint_shadows *shadows, glint_shadow_light *light)
+{
+    static const int32_t none[3] = {0, 0, (int32_t)1 << 29};
+    const int32_t *const v = light ? light->v : none;
+    int a = 2;
+    for (int k = 0; k < 2; k++) {
+        a = magnitude32(v[k]) > magnitude32(v[a]) ? k : a;
+    }
+    shadows->along = (uint8_t)a;
+    for (int k = 0; k < 3; k++) {
+        shadows->shear[k] = v[a] < 0 ? -v[k] : v[k];
+    }
+    if (light) {
+        light->sheared = true;
+    }
+}
+
 static void light_set_up(glint_shadow_light *out, const glint_shadows *shadows, const glint_light *light,
                          const glint_view *view)
 {
@@ -82,7 +113,7 @@ static void light_set_up(glint_shadow_light *out, const glint_shadows *shadows, 
     light_transform(&t, light, view);
     const int xy = shadows->xy_fraction - t.xy_fraction, z = shadows->z_fraction - t.z_fraction;
     out->directional = light->kind == GLINT_DIRECTIONAL;
-    out->falls = false;
+    out->falls = out->sheared = false;
     if (out->directional) {
         const int most = xy > z ? xy : z;
         const int64_t v[3] = {glint_shift_round64((int64_t)t.x[0] * ((int64_t)1 << 30), xy - most),
@@ -144,10 +175,11 @@ static void mesh_set_up(glint_shadow_object *object, const glint_shadows *shadow
 {
     const glint_mesh *mesh = object->mesh;
     for (uint16_t v = 0; v < mesh->vertex_count; v++) {
-        int32_t fine[3];
+        int32_t fine[3], sheared[3];
         glint_shadow_vertex(object, v, fine);
+        glint_shadow_shear(shadows, fine, sheared);
         for (int k = 0; k < 3; k++) {
-            object->coarse[v][k] = (int16_t)(fine[k] >> shadows->coarse_bits[k]);
+            object->coarse[v][k] = (int16_t)(sheared[k] >> shadows->coarse_bits[k]);
         }
     }
     uint32_t level = 0;
@@ -186,10 +218,11 @@ static void coarse_set_up(glint_shadows *shadows)
     uint32_t any[3] = {0, 0, 0};
     for (uint16_t i = 0; i < shadows->object_count; i++) {
         for (uint16_t v = 0; v < shadows->objects[i].mesh->vertex_count; v++) {
-            int32_t fine[3];
+            int32_t fine[3], sheared[3];
             glint_shadow_vertex(&shadows->objects[i], v, fine);
+            glint_shadow_shear(shadows, fine, sheared);
             for (int k = 0; k < 3; k++) {
-                any[k] |= magnitude32(fine[k]);
+                any[k] |= magnitude32(sheared[k]);
             }
         }
     }
@@ -239,16 +272,19 @@ void glint_shadows_set_up(glint_shadows *shadows, const glint_scene *scene, cons
         object->coarse = (int16_t(*)[3])(void *)free_part;
         free_part += coarse_bytes(object->mesh->vertex_count);
     }
+    uint32_t *mask = (uint32_t *)(void *)free_part;
+    glint_shadow_light *light = shadows->lights, *along = NULL;
+    for (uint16_t i = 0; i < scene->light_count; i++) {
+        if (scene->lights[i].casts_shadows) {
+            light_set_up(light, shadows, &scene->lights[i], view);
+            along = along == NULL && light->directional ? light : along;
+            light++->mask = mask;
+            mask += (uint32_t)shadows->words * band_px;
+        }
+    }
+    shear_set_up(shadows, along);
     coarse_set_up(shadows);
     for (uint16_t i = 0; i < scene->object_count; i++) {
         mesh_set_up(&shadows->objects[i], shadows);
-    }
-    uint32_t *mask = (uint32_t *)(void *)free_part;
-    for (uint16_t i = 0, k = 0; i < scene->light_count; i++) {
-        if (scene->lights[i].casts_shadows) {
-            light_set_up(&shadows->lights[k], shadows, &scene->lights[i], view);
-            shadows->lights[k++].mask = mask;
-            mask += (uint32_t)shadows->words * band_px;
-        }
     }
 }

@@ -130,7 +130,8 @@ int64_t glint_multiply_wide_s32(int32_t a, int32_t b);
 int glint_bit_length64(uint64_t value);
 int64_t glint_shift_round64(int64_t value, int shift);
 
-/* A function whose variables are to leave the stack when it returns: one whose caller goes on to call deeper. */
+/* A function whose variables are to leave the stack when it returns, since its caller goes on to call deeper, or whose
+ * loops would share the registers with all that is alive in its caller. */
 #if defined __GNUC__
 #define GLINT_APART __attribute__((noinline))
 #else
@@ -156,14 +157,6 @@ int64_t glint_shift_round64(int64_t value, int shift);
 #define GLINT_FOLDED inline __attribute__((always_inline))
 #else
 #define GLINT_FOLDED inline
-#endif
-
-/* A function that is kept apart: within its caller, its loops would share the registers with all that is alive there.
- */
-#if defined __GNUC__
-#define GLINT_APART __attribute__((noinline))
-#else
-#define GLINT_APART
 #endif
 
 /* Number of leading zero bits; 32 for 0. */

@@ -11,6 +11,7 @@
  *   teapot, knot   the scenes of these names in examples/scenes, at the size they are designed for
  *   room, point-light   of these names there too: directional and point lights, triangles across the near plane; a
  *               point light so close that its direction turns within a triangle
+ *   shadows-sun   of this name there too: what shadows are dear for, many small triangles that all cast
  *   A-60x60     A at a quarter of its size: the same triangles on a sixteenth of the pixels
  *   A-1x1       A on one pixel: hardly a triangle is left to set up
  *   A-96x64, C-96x64   A and C on a small panel, in bands of 8 rows: what an AVR with 16 KB of RAM can hold; of its
@@ -114,6 +115,7 @@ const cost_case cost_cases[] = {
     {"point-light", &demo_point_light, OWN_LIGHTS, 320, 240, 0, EXACT},
     {"point-light", &demo_point_light, OWN_LIGHTS, 320, 240, 0, GOURAUD},
     {"point-light", &demo_point_light, OWN_LIGHTS, 320, 240, 0, WITHIN(1)},
+    {"shadows-sun", &demo_shadows_sun, OWN_LIGHTS, 320, 240, 0, WITHIN(1)},
     {"A-96x64", &demo_sphere_32x16, OWN_LIGHTS, 96, 64, 8, EXACT},
     {"A-96x64", &demo_sphere_32x16, OWN_LIGHTS, 96, 64, 8, GOURAUD},
     {"A-96x64", &demo_sphere_32x16, OWN_LIGHTS, 96, 64, 8, FLAT},

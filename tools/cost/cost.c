@@ -17,38 +17,18 @@
  */
 #include "tests/target/platform.h"
 #include "tests/target/selftest.h"
+#include "tools/cost/calibrate.h"
 #include "tools/cost/cases.h"
 
 /* Empty: all cases. An emulator's script that wants one puts its first words here, "A fixed exact". */
 extern const volatile char cost_chosen[COST_NAME_BYTES];
 const volatile char cost_chosen[COST_NAME_BYTES] = "";
 
-/* Rounds of platform_known_loop(), so that one step of the counter more or less does not show. */
-enum { ROUNDS = 20 };
-
 static int discard(void *context, const glint_band *band)
 {
     (void)context;
     (void)band;
     return 0;
-}
-
-static void calibrate(void)
-{
-    uint32_t known = 0, empty = platform_count();
-    empty = platform_count() - empty;
-    const uint32_t start = platform_count();
-    for (int i = 0; i < ROUNDS; i++) {
-        known += platform_known_loop();
-    }
-    const uint32_t steps = platform_count() - start;
-    report_begin("calibration");
-    report_decimal(known);
-    report_decimal(steps - empty);
-    report_end();
-    report_begin("unit");
-    report_word(platform_count_unit);
-    report_end();
 }
 
 static void begin(const char *kind, const cost_case *c, int backend)
@@ -133,7 +113,7 @@ static void count(const cost_case *c, int backend)
 int main(void)
 {
     platform_begin();
-    calibrate();
+    cost_calibrate();
     for (uint16_t i = 0; i < cost_case_count; i++) {
         for (int backend = 0; backend < COST_BACKENDS; backend++) {
             if ((cost_backends >> backend & 1) && is_chosen(&cost_cases[i], backend)) {

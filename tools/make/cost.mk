@@ -15,7 +15,7 @@ COST_NODE := $(B)/cost/node
 STACK_SHADINGS := exact "auto 1"
 
 COST_SOURCES := $(sort $(wildcard tools/cost/*.c))
-COST_FIRMWARE := $(patsubst %,tools/cost/%.c,cases cost frames) $(SELFTEST)/selftest_report.c
+COST_FIRMWARE := $(patsubst %,tools/cost/%.c,calibrate cases cost frames) $(SELFTEST)/selftest_report.c
 TARGET_SOURCES += $(COST_SOURCES)
 
 # The programs of each processor: cost.elf for QEMU or simavr; for the RP2040's emulator cycles.elf, with that chip's RAM,

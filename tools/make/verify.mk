@@ -93,4 +93,4 @@ generate: $(B)/generate-tables $(B)/generate-textures $(MESH_GENERATOR) ## Make 
 consumer-check: ## A C and a C++ program build against the installed library through pkg-config
 	@rm -rf $(B)/install
 	@+$(SUBMAKE) install PREFIX=$(abspath $(B)/install)
-	@tools/check-consumer.sh $(abspath $(B)/install) tests/target/startup/consumer.c
+	@tools/check-consumer.sh $(abspath $(B)/install) $(patsubst %,$(STARTUP)/%.c,consumer consumer_parts)
