@@ -50,7 +50,7 @@ typedef struct glint_object_plan {
     uint8_t transmission, grazing;                  /* glint_reason: does light come through, less at grazing angles? */
     uint8_t wire;                                   /* glint_reason: are edges drawn? */
     bool needs_bounds;   /* some light may be too far away or has an extent, there may be fog, or light comes through */
-    glint_bounds bounds; /* only where needs_bounds */
+    glint_bounds bounds; /* where needs_bounds, else 0 */
 } glint_object_plan;
 
 typedef struct glint_light_plan {

@@ -59,9 +59,9 @@ static inline real normal_weigh(real component_q15, int32_t depth_q30, inverse_s
 }
 
 /* So little is left of an interpolated normal that rounding (2^14, see plane.h) decides its direction. */
-static inline bool normal_vanishes(const real normal[3], const surface *at)
+static inline bool normal_vanishes(const real normal[3], int32_t depth_q30)
 {
-    (void)at; /* the weights of the corners reach 2^29, whatever the distance */
+    (void)depth_q30; /* the weights of the corners reach 2^29, whatever the distance */
     GLINT_TRACE("weighted normal", normal[0]);
     GLINT_TRACE("weighted normal", normal[1]);
     GLINT_TRACE("weighted normal", normal[2]);

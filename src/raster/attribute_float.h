@@ -42,10 +42,10 @@ static inline real normal_weigh(real component, int32_t depth_q30, inverse_scale
     return component * inverse_of(depth_q30 > GLINT_DEPTH_BIAS ? depth_q30 : GLINT_DEPTH_BIAS + 1);
 }
 
-/* Against the weight 1/w, which stands in at->inverse; rounding leaves some 2^-20 of it. */
-static inline bool normal_vanishes(const real normal[3], const surface *at)
+/* Against the weight 1/w; rounding leaves some 2^-20 of it. */
+static inline bool normal_vanishes(const real normal[3], int32_t depth_q30)
 {
-    const float limit = at->inverse * (1.0f / 131072);
+    const float limit = inverse_of(depth_q30) * (1.0f / 131072);
     return cosine_of(normal, normal) < limit * limit;
 }
 

@@ -15,7 +15,7 @@ EFFECT_BACKEND_m0plus := fixed
 EFFECT_BACKEND_m4f := float
 
 # What an effect is added to, or for one of these, taken from.
-EFFECT_BASE_Os := GLINT_PART_SPECULAR GLINT_PART_POINTS
+EFFECT_BASE_Os := GLINT_PART_SPECULAR GLINT_PART_POINTS GLINT_PART_SPANS GLINT_PART_LISTS
 EFFECT_BASE_O2 := $(EFFECT_BASE_Os) GLINT_PART_TIERS
 
 TARGET_SOURCES += $(sort $(wildcard tools/effects/*.c))
