@@ -23,6 +23,7 @@
 #include "tests/reference/reference.h"
 #include "tools/import/import.h"
 #include "tools/picture/picture.h"
+#include "without.h"
 
 enum { STATUS_GOOD = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
 
@@ -53,12 +54,14 @@ typedef struct loaded_scene {
     glint_scene scene;
     uint16_t width_px, height_px;
     imported_scene *imported; /* NULL for a built-in scene */
+    without_copy bare;        /* the copy without some effects */
     glint_object *objects;    /* the turned copy */
 } loaded_scene;
 
 static void free_scene(loaded_scene *loaded)
 {
     imported_scene_free(loaded->imported);
+    without_free(&loaded->bare);
     free(loaded->objects);
     *loaded = (loaded_scene){0};
 }
@@ -98,6 +101,9 @@ static int load_scene(const options *o, loaded_scene *out, char *error, size_t e
         out->height_px = o->height_px;
     }
     out->scene = *scene;
+    if (o->without != 0 && without(scene, o->without, &out->bare, &out->scene, error, error_bytes) != 0) {
+        return STATUS_USAGE;
+    }
     if (o->turn16 == 0) {
         return STATUS_GOOD;
     }
@@ -106,7 +112,7 @@ static int load_scene(const options *o, loaded_scene *out, char *error, size_t e
         (void)snprintf(error, error_bytes, "out of memory");
         return STATUS_FAILED;
     }
-    const int result = demo_scene_turn(scene, o->turn16, out->objects, &out->scene);
+    const int result = demo_scene_turn(&out->scene, o->turn16, out->objects, &out->scene);
     if (result != 0) {
         (void)snprintf(error, error_bytes, "%s: %s", o->scene, glint_error_text(result));
         return STATUS_FAILED;
