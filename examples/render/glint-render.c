@@ -143,7 +143,7 @@ static const struct {
 static int draw(const options *o, const loaded_scene *loaded, uint8_t *rgb, size_t *memory_bytes, glint_report *report,
                 observation *seen, char *error, size_t error_bytes)
 {
-    const bool observed = o->tiers != NULL || o->promise != NULL;
+    const bool observed = o->tiers != NULL || o->promise != NULL || o->explain;
     const render_function render = observed ? backends[o->backend].render_observed : backends[o->backend].render;
     const glint_quality quality = {.shading = o->shading, .tolerance = o->tolerance};
     panel screen = {.rgb = rgb, .width_px = loaded->width_px, .height_px = loaded->height_px, .format = o->format};
@@ -154,7 +154,7 @@ static int draw(const options *o, const loaded_scene *loaded, uint8_t *rgb, size
     }
     /* The size functions give 0 for a scene that is not valid; rendering then says what is wrong with it. */
     void *memory = malloc(*memory_bytes == 0 ? sizeof(uint32_t) : *memory_bytes);
-    if (memory == NULL || (observed && observe_begin(seen, loaded->width_px, loaded->height_px) != 0)) {
+    if (memory == NULL || (observed && observe_begin(seen, &loaded->scene, loaded->width_px, loaded->height_px) != 0)) {
         (void)snprintf(error, error_bytes, "out of memory: %zu bytes", *memory_bytes);
         free(memory);
         return STATUS_FAILED;
@@ -227,21 +227,9 @@ static int write_observation(const options *o, const observation *seen, output *
     return result;
 }
 
-static int draw_and_observe(const options *o, const loaded_scene *loaded, uint8_t *rgb, size_t *memory_bytes,
-                            glint_report *report, output *files, char *error, size_t error_bytes)
-{
-    observation seen = {0};
-    int status = draw(o, loaded, rgb, memory_bytes, report, &seen, error, error_bytes);
-    if (status == STATUS_GOOD && seen.tier != NULL && write_observation(o, &seen, files, error, error_bytes) != 0) {
-        status = STATUS_FAILED;
-    }
-    observation_free(&seen);
-    return status;
-}
-
 /* Draws and writes everything: all files are complete before the first is put in its place. */
-static int draw_and_write(const options *o, const loaded_scene *loaded, picture *image, output *files, char *error,
-                          size_t error_bytes)
+static int draw_and_write(const options *o, const loaded_scene *loaded, picture *image, observation *seen,
+                          output *files, char *error, size_t error_bytes)
 {
     glint_report report = {0};
     size_t memory_bytes = o->memory_bytes;
@@ -250,7 +238,10 @@ static int draw_and_write(const options *o, const loaded_scene *loaded, picture 
     if (o->backend == BACKEND_REFERENCE) {
         status = draw_reference(o, loaded, image->rgb, &files[FILE_EDGES], error, error_bytes);
     } else {
-        status = draw_and_observe(o, loaded, image->rgb, &memory_bytes, &report, files, error, error_bytes);
+        status = draw(o, loaded, image->rgb, &memory_bytes, &report, seen, error, error_bytes);
+    }
+    if (status == STATUS_GOOD && seen->tier != NULL && write_observation(o, seen, files, error, error_bytes) != 0) {
+        status = STATUS_FAILED;
     }
     if (status != STATUS_GOOD) {
         return status;
@@ -274,7 +265,11 @@ static int draw_and_write(const options *o, const loaded_scene *loaded, picture 
         }
     }
     if (o->explain) {
-        explain(stdout, &loaded->scene, o->tolerance, &report);
+        const glint_quality quality = {.shading = o->shading, .tolerance = o->tolerance};
+        if (explain(stdout, &loaded->scene, &quality, &report, seen) != 0) {
+            (void)snprintf(error, error_bytes, "out of memory");
+            return STATUS_FAILED;
+        }
     }
     return STATUS_GOOD;
 }
@@ -283,6 +278,7 @@ static int run(const options *o, char *error, size_t error_bytes)
 {
     loaded_scene loaded = {0};
     picture image = {0};
+    observation seen = {0};
     output files[FILE_COUNT] = {{0}};
 
     int status = load_scene(o, &loaded, error, error_bytes);
@@ -293,11 +289,12 @@ static int run(const options *o, char *error, size_t error_bytes)
         status = STATUS_FAILED;
     }
     if (status == STATUS_GOOD) {
-        status = draw_and_write(o, &loaded, &image, files, error, error_bytes);
+        status = draw_and_write(o, &loaded, &image, &seen, files, error, error_bytes);
     }
     for (int i = 0; i < FILE_COUNT; i++) {
         output_drop(&files[i]);
     }
+    observation_free(&seen);
     picture_free(&image);
     free_scene(&loaded);
     return status;
