@@ -7,8 +7,8 @@
 
 static const glint_camera camera = {
     .eye_q16 = POINT(0, 3300, 8000),
-    .target_q16 = POINT(0, 700, 0),
-    .field_of_view_turn16 = DEGREES_TURN16(34),
+    .target_q16 = POINT(0, 620, 0),
+    .field_of_view_turn16 = DEGREES_TURN16(25),
     .near_q16 = MILLI_Q16(4400), /* a corner of the floor turned to the camera begins at 4.5 */
 };
 
@@ -17,13 +17,13 @@ static const glint_material glazed = {
     .ambient = COLOUR(640, 480, 320),
     .diffuse = COLOUR(640, 480, 320),
     .specular = COLOUR(350, 350, 350),
-    .exponent_q4 = 30 * 16,
+    .exponent_q4 = 40 * 16,
 };
 
 static const glint_object objects[] = {
     {&glint_mesh_plane, &paper, PLACE_SCALED(3400, 1000, 2600, 0, 0, 0)},
-    {&glint_mesh_sphere_32x16, &glazed, PLACE_SCALED(850, 850, 850, -1200, 850, 0)},
-    {&glint_mesh_box, &glazed, PLACE_TURNED(4, 3, 5, 650, 1400, 650, -100)},
+    {&glint_mesh_sphere_32x16, &glazed, PLACE_SCALED(950, 950, 950, -900, 950, 0)},
+    {&glint_mesh_box, &glazed, PLACE_TURNED(4, 3, 5, 600, 1250, 600, 100)},
 };
 
 /* From (-1.6, 3.4, 2.4). */
@@ -36,15 +36,15 @@ static const glint_object objects[] = {
 static const glint_light parallel = {.kind = GLINT_DIRECTIONAL, .direction = {16, -34, -24}, .colour = GLINT_WHITE};
 static const glint_light lamp = LAMP(0, 0, 0, 1000);
 static const glint_light four_lamps[] = {
-    LAMP(-550, 0, -350, 250),
-    LAMP(550, 0, 350, 250),
-    LAMP(-550, 0, 350, 250),
-    LAMP(550, 0, -350, 250),
+    LAMP(-425, 0, -250, 250),
+    LAMP(425, 0, 250, 250),
+    LAMP(-425, 0, 250, 250),
+    LAMP(425, 0, -250, 250),
 };
 static const glint_light panel = {
     .kind = GLINT_PANEL,
     .position_q16 = POINT(-1600, 3400, 2400),
-    .edge_q16 = {POINT(1100, 0, 0), POINT(0, 0, 700)},
+    .edge_q16 = {POINT(850, 0, 0), POINT(0, 0, 500)},
     .colour = GLINT_WHITE,
     .samples = 53,
 };
