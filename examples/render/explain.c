@@ -270,11 +270,14 @@ static unsigned alike(char *const *plans, uint16_t first, uint16_t count)
     return same;
 }
 
-static void write_count(list *l, uint64_t count, const char *format)
+/* Adds a number, if it is not 0, with words before and after it; these end in a plural's s, unless the number is 1. */
+static void write_count(list *l, const char *before, uint64_t count, const char *after)
 {
+    char text[96];
+    const int length = (int)strlen(after);
+    const bool plural = length > 0 && after[length - 1] == 's';
     if (count > 0) {
-        char text[96];
-        (void)snprintf(text, sizeof text, format, count, count == 1 ? "" : "s");
+        (void)snprintf(text, sizeof text, "%s%" PRIu64 "%.*s", before, count, length - (plural && count == 1), after);
         list_add(l, text);
     }
 }
@@ -284,11 +287,11 @@ static void count_light(FILE *file, uint16_t number, const observed_light *light
     char begin[24];
     (void)snprintf(begin, sizeof begin, "    light %u: ", (unsigned)number);
     list l = {file, begin, "\n", 0};
-    write_count(&l, light->count[OBSERVED_DIFFUSE], "n.s %" PRIu64 " time%s");
-    write_count(&l, light->count[OBSERVED_SPECULAR], "highlight %" PRIu64 " time%s");
-    write_count(&l, light->count[OBSERVED_FOLDED], "in a sum of lights on %" PRIu64 " triangle%s");
-    write_count(&l, light->count[OBSERVED_CULLED], "not reaching %" PRIu64 " triangle%s");
-    write_count(&l, light->count[OBSERVED_SHADOWS], "shadows thrown by single triangles %" PRIu64 " time%s");
+    write_count(&l, "n.s ", light->count[OBSERVED_DIFFUSE], " times");
+    write_count(&l, "highlight ", light->count[OBSERVED_SPECULAR], " times");
+    write_count(&l, "in a sum of lights on ", light->count[OBSERVED_FOLDED], " triangles");
+    write_count(&l, "not reaching ", light->count[OBSERVED_CULLED], " triangles");
+    write_count(&l, "shadows thrown by single triangles ", light->count[OBSERVED_SHADOWS], " times");
     list_end(&l);
 }
 
@@ -309,15 +312,15 @@ static void count_pixels(FILE *file, const observed_object *of)
         }
     }
     list more = {file, "; ", "", 0};
-    write_count(&more, of->highlight_pixels, "highlights on %" PRIu64);
-    write_count(&more, of->shadowed_pixels, "%" PRIu64 " in some shadow");
-    write_count(&more, of->sky_pixels, "sky and ground on %" PRIu64);
-    write_count(&more, of->texture_texels, "%" PRIu64 " texels read");
-    write_count(&more, of->environment_lookups * 4, "%" PRIu64 " texels of the environment read");
-    write_count(&more, of->fog_pixels, "fog looked up on %" PRIu64);
-    write_count(&more, of->hidden_pixels, "the fog's colour alone on %" PRIu64);
-    write_count(&more, of->layer_pixels, "mixed with what is behind on %" PRIu64);
-    write_count(&more, of->wire_pixels, "lines looked for on %" PRIu64);
+    write_count(&more, "highlights on ", of->highlight_pixels, "");
+    write_count(&more, "", of->shadowed_pixels, " in some shadow");
+    write_count(&more, "sky and ground on ", of->sky_pixels, "");
+    write_count(&more, "", of->texture_texels, " texels read");
+    write_count(&more, "", of->environment_lookups * 4, " texels of the environment read");
+    write_count(&more, "fog looked up on ", of->fog_pixels, "");
+    write_count(&more, "the fog's colour alone on ", of->hidden_pixels, "");
+    write_count(&more, "mixed with what is behind on ", of->layer_pixels, "");
+    write_count(&more, "lines looked for on ", of->wire_pixels, "");
     fputc('\n', file);
 }
 
@@ -412,9 +415,9 @@ static const char legend[] =
     "n.s (the cosine of a light) and highlights (that of r and c, or n and h) count as often as they are evaluated: "
     "by\n"
     "pixel; once in a triangle of one colour; by corner in gouraud, by triangle in flat shading. What is found of a\n"
-    "triangle's lights before it is drawn does not count. Highlights are said to be on a pixel that is shaded exactly "
-    "if\n"
-    "one is evaluated there, on others if one shows.\n";
+    "triangle's lights before it is drawn does not count. Highlights are on a pixel if one shows there or, as far as "
+    "the\n"
+    "renderer looks, may show.\n";
 
 int explain(FILE *file, const glint_scene *scene, const glint_quality *quality, const glint_report *report,
             const observation *seen)
