@@ -93,6 +93,14 @@ demo: $(B)/glint-render $(B)/contact-sheet ## Draw every built-in scene and a co
 		echo "Look first at $(B)/demo/contact-sheet.$$ending"; \
 	done
 
+.PHONY: figures
+figures: $(B)/glint-render $(B)/contact-sheet ## Draw the figures of docs/figures.md into build/figures; FIGURE=name draws one
+	@$(if $(FIGURE),,rm -rf $(B)/figures)
+	@set -e; for ending in ppm $(if $(filter yes,$(PNG)),png); do \
+		tools/figures.sh draw $(B) $$ending $(FIGURE); \
+		echo "Wrote $$(ls $(B)/figures/*.$$ending | wc -l) figures, $(B)/figures/*.$$ending"; \
+	done
+
 .PHONY: install
 install: library ## Install headers, library and glint.pc under PREFIX (default /usr/local; DESTDIR is honoured)
 	install -d $(DESTDIR)$(PREFIX)/include/glint $(DESTDIR)$(PREFIX)/lib/pkgconfig

@@ -51,4 +51,32 @@ if [ -x "$build/generate-textures" ]; then
         compare "$file" "$out/$name"
     done
 fi
+
+# The figures: their page, that each has a picture and no other is there, and the pictures' pixels, where PNG can be read
+tools/figures.sh page >"$out/figures.md"
+compare docs/figures.md "$out/figures.md"
+tools/figures.sh names | sort >"$out/names"
+(cd docs/figures && ls) | sed 's/\.png$//' | sort >"$out/pictures"
+compare "$out/pictures" "$out/names"
+for name in $(grep -o 'figures/[a-z0-9-]*\.png' docs/effects.md | sed 's|.*/||; s|\.png$||'); do
+    grep -qx "$name" "$out/names" || {
+        echo "docs/effects.md shows a figure that is not in tools/figures.txt: $name" >&2
+        status=1
+    }
+done
+if tools/figures.sh draw "$build" png 2>"$out/log"; then
+    while read -r name; do
+        if "$build/glint-compare" "$build/figures/$name.png" "docs/figures/$name.png" --max 0 >"$out/log"; then
+            echo "same  docs/figures/$name.png"
+        else
+            echo "differs from what tools/figures.sh draws: docs/figures/$name.png" >&2
+            status=1
+        fi
+    done <"$out/names"
+elif grep -q libpng "$out/log"; then
+    echo "figures: no libpng, so their pictures are not compared"
+else
+    cat "$out/log" >&2
+    status=1
+fi
 exit $status

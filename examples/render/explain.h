@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The plan of a frame in words: which terms of the model each object needs under each light, why not the others, and
- * what was evaluated when it was drawn.
+ * A frame in words: which terms of the model each object needs under each light, and why not the others; and what was
+ * evaluated when it was drawn, by object and by light.
  */
 #ifndef EXAMPLES_RENDER_EXPLAIN_H
 #define EXAMPLES_RENDER_EXPLAIN_H
@@ -11,7 +11,11 @@
 #include <glint/quality.h>
 #include <glint/scene.h>
 
-/* The scene has been drawn, so it is valid; `tolerance` (1/16 code, 0: none) and `report` are of that frame. */
-void explain(FILE *file, const glint_scene *scene, uint8_t tolerance, const glint_report *report);
+#include "observe.h"
+
+/* The scene has been drawn in this quality, so it is valid; `report` and `seen` are of that frame. Returns 0, or -1
+ * without memory. */
+int explain(FILE *file, const glint_scene *scene, const glint_quality *quality, const glint_report *report,
+            const observation *seen);
 
 #endif

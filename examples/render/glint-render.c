@@ -23,6 +23,7 @@
 #include "tests/reference/reference.h"
 #include "tools/import/import.h"
 #include "tools/picture/picture.h"
+#include "without.h"
 
 enum { STATUS_GOOD = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
 
@@ -53,12 +54,14 @@ typedef struct loaded_scene {
     glint_scene scene;
     uint16_t width_px, height_px;
     imported_scene *imported; /* NULL for a built-in scene */
+    without_copy bare;        /* the copy without some effects */
     glint_object *objects;    /* the turned copy */
 } loaded_scene;
 
 static void free_scene(loaded_scene *loaded)
 {
     imported_scene_free(loaded->imported);
+    without_free(&loaded->bare);
     free(loaded->objects);
     *loaded = (loaded_scene){0};
 }
@@ -98,6 +101,9 @@ static int load_scene(const options *o, loaded_scene *out, char *error, size_t e
         out->height_px = o->height_px;
     }
     out->scene = *scene;
+    if (o->without != 0 && without(scene, o->without, &out->bare, &out->scene, error, error_bytes) != 0) {
+        return STATUS_USAGE;
+    }
     if (o->turn16 == 0) {
         return STATUS_GOOD;
     }
@@ -106,7 +112,7 @@ static int load_scene(const options *o, loaded_scene *out, char *error, size_t e
         (void)snprintf(error, error_bytes, "out of memory");
         return STATUS_FAILED;
     }
-    const int result = demo_scene_turn(scene, o->turn16, out->objects, &out->scene);
+    const int result = demo_scene_turn(&out->scene, o->turn16, out->objects, &out->scene);
     if (result != 0) {
         (void)snprintf(error, error_bytes, "%s: %s", o->scene, glint_error_text(result));
         return STATUS_FAILED;
@@ -137,7 +143,7 @@ static const struct {
 static int draw(const options *o, const loaded_scene *loaded, uint8_t *rgb, size_t *memory_bytes, glint_report *report,
                 observation *seen, char *error, size_t error_bytes)
 {
-    const bool observed = o->tiers != NULL || o->promise != NULL;
+    const bool observed = o->tiers != NULL || o->promise != NULL || o->explain;
     const render_function render = observed ? backends[o->backend].render_observed : backends[o->backend].render;
     const glint_quality quality = {.shading = o->shading, .tolerance = o->tolerance};
     panel screen = {.rgb = rgb, .width_px = loaded->width_px, .height_px = loaded->height_px, .format = o->format};
@@ -148,7 +154,7 @@ static int draw(const options *o, const loaded_scene *loaded, uint8_t *rgb, size
     }
     /* The size functions give 0 for a scene that is not valid; rendering then says what is wrong with it. */
     void *memory = malloc(*memory_bytes == 0 ? sizeof(uint32_t) : *memory_bytes);
-    if (memory == NULL || (observed && observe_begin(seen, loaded->width_px, loaded->height_px) != 0)) {
+    if (memory == NULL || (observed && observe_begin(seen, &loaded->scene, loaded->width_px, loaded->height_px) != 0)) {
         (void)snprintf(error, error_bytes, "out of memory: %zu bytes", *memory_bytes);
         free(memory);
         return STATUS_FAILED;
@@ -221,21 +227,9 @@ static int write_observation(const options *o, const observation *seen, output *
     return result;
 }
 
-static int draw_and_observe(const options *o, const loaded_scene *loaded, uint8_t *rgb, size_t *memory_bytes,
-                            glint_report *report, output *files, char *error, size_t error_bytes)
-{
-    observation seen = {0};
-    int status = draw(o, loaded, rgb, memory_bytes, report, &seen, error, error_bytes);
-    if (status == STATUS_GOOD && seen.tier != NULL && write_observation(o, &seen, files, error, error_bytes) != 0) {
-        status = STATUS_FAILED;
-    }
-    observation_free(&seen);
-    return status;
-}
-
 /* Draws and writes everything: all files are complete before the first is put in its place. */
-static int draw_and_write(const options *o, const loaded_scene *loaded, picture *image, output *files, char *error,
-                          size_t error_bytes)
+static int draw_and_write(const options *o, const loaded_scene *loaded, picture *image, observation *seen,
+                          output *files, char *error, size_t error_bytes)
 {
     glint_report report = {0};
     size_t memory_bytes = o->memory_bytes;
@@ -244,7 +238,10 @@ static int draw_and_write(const options *o, const loaded_scene *loaded, picture 
     if (o->backend == BACKEND_REFERENCE) {
         status = draw_reference(o, loaded, image->rgb, &files[FILE_EDGES], error, error_bytes);
     } else {
-        status = draw_and_observe(o, loaded, image->rgb, &memory_bytes, &report, files, error, error_bytes);
+        status = draw(o, loaded, image->rgb, &memory_bytes, &report, seen, error, error_bytes);
+    }
+    if (status == STATUS_GOOD && seen->tier != NULL && write_observation(o, seen, files, error, error_bytes) != 0) {
+        status = STATUS_FAILED;
     }
     if (status != STATUS_GOOD) {
         return status;
@@ -268,7 +265,11 @@ static int draw_and_write(const options *o, const loaded_scene *loaded, picture 
         }
     }
     if (o->explain) {
-        explain(stdout, &loaded->scene, o->tolerance, &report);
+        const glint_quality quality = {.shading = o->shading, .tolerance = o->tolerance};
+        if (explain(stdout, &loaded->scene, &quality, &report, seen) != 0) {
+            (void)snprintf(error, error_bytes, "out of memory");
+            return STATUS_FAILED;
+        }
     }
     return STATUS_GOOD;
 }
@@ -277,6 +278,7 @@ static int run(const options *o, char *error, size_t error_bytes)
 {
     loaded_scene loaded = {0};
     picture image = {0};
+    observation seen = {0};
     output files[FILE_COUNT] = {{0}};
 
     int status = load_scene(o, &loaded, error, error_bytes);
@@ -287,11 +289,12 @@ static int run(const options *o, char *error, size_t error_bytes)
         status = STATUS_FAILED;
     }
     if (status == STATUS_GOOD) {
-        status = draw_and_write(o, &loaded, &image, files, error, error_bytes);
+        status = draw_and_write(o, &loaded, &image, &seen, files, error, error_bytes);
     }
     for (int i = 0; i < FILE_COUNT; i++) {
         output_drop(&files[i]);
     }
+    observation_free(&seen);
     picture_free(&image);
     free_scene(&loaded);
     return status;

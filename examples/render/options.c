@@ -18,6 +18,8 @@
 #include <glint/display.h>
 #include <glint/quality.h>
 
+#include "without.h"
+
 const char options_usage[] =
     "usage: glint-render SCENE -o FILE.ppm [options]\n"
     "       glint-render SCENE --explain [options]\n"
@@ -38,6 +40,9 @@ const char options_usage[] =
     "  --buffers N        1 (default), or 2: a band is drawn while the one before is sent\n"
     "  --memory BYTES     working memory (default: as much as the library can make use of)\n"
     "  --turn DEGREES     turns the objects about the vertical\n"
+    "  --without WORDS    draws the scene without effects that it has, named with commas between:\n"
+    "                     " WITHOUT_NAMES_1 "\n"
+    "                     " WITHOUT_NAMES_2 "\n"
     "  --report FILE      counts of the frame, as JSON\n"
     "  --explain          prints which terms of the model each object needs under each light, why not the others,\n"
     "                     and what was evaluated; -o may be left out with it\n"
@@ -258,6 +263,7 @@ enum {
     OPTION_BUFFERS,
     OPTION_MEMORY,
     OPTION_TURN,
+    OPTION_WITHOUT,
     OPTION_REPORT,
     OPTION_EXPLAIN,
     OPTION_TIERS,
@@ -282,6 +288,7 @@ static const struct {
     [OPTION_BUFFERS] = {"--buffers", "1 or 2"},
     [OPTION_MEMORY] = {"--memory", "a number of bytes"},
     [OPTION_TURN] = {"--turn", "an angle in degrees"},
+    [OPTION_WITHOUT] = {"--without", "names of effects"},
     [OPTION_REPORT] = {"--report", "a file name"},
     [OPTION_EXPLAIN] = {"--explain", NULL},
     [OPTION_TIERS] = {"--tiers", "a file name"},
@@ -335,6 +342,8 @@ static int parse_option(int option, const char *value, options *o, const message
         return result;
     case OPTION_TURN:
         return parse_turn(name, value, o, m);
+    case OPTION_WITHOUT:
+        return without_parse(value, &o->without, m->text, m->bytes);
     case OPTION_REPORT:
         return parse_path(name, value, report_endings, ".json", &o->report, m);
     case OPTION_TIERS:

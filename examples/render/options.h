@@ -25,6 +25,7 @@ typedef struct options {
     uint16_t band_px;             /* 0: the whole frame */
     uint8_t buffer_count;         /* 1 or 2 */
     uint16_t turn16;              /* turn of all objects, in 1/65536 turn */
+    uint32_t without;             /* effects to leave out, see without.h */
     size_t memory_bytes;          /* 0: as much as the library can make use of */
 } options;
 

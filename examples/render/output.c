@@ -159,6 +159,9 @@ void output_report(FILE *file, const options *o, uint16_t width_px, uint16_t hei
         {"lights_folded", report->lights_folded},
         {"lights_culled", report->lights_culled},
         {"specular_triangles", report->specular_triangles},
+        {"shadow_triangles", report->shadow_triangles},
+        {"shadow_tests", report->shadow_tests},
+        {"pixels_shadowed", report->pixels_shadowed},
     };
     const size_t count = sizeof numbers / sizeof numbers[0];
 

@@ -69,8 +69,13 @@ extern const glint_scene demo_panels, demo_globe;
 /* mirror.c: surfaces that mirror a sky */
 extern const glint_scene demo_chrome, demo_gilded;
 
+/* kinds.c: the same things under lights of each kind; a hall of eight lamps, of which two reach its middle */
+extern const glint_scene demo_source_directional, demo_source_point, demo_source_four, demo_source_panel;
+extern const glint_scene demo_eight_lamps;
+
 /* blend.c: surfaces seen from both sides; fog; surfaces that let light through; a mesh's edges */
 extern const glint_scene demo_bowls, demo_avenue, demo_glass, demo_pond, demo_mesh;
+
 /* shadows.c: hard shadows of the sun, and of lamps in a room */
 extern const glint_scene demo_shadows_sun, demo_shadows_lamps;
 
@@ -80,8 +85,9 @@ extern const glint_scene demo_tiles, demo_planet;
 /* gallery_ratio.c: a row of spheres, ambient to diffuse ratio growing to the right */
 extern const glint_scene demo_ambient_ratio;
 
-/* gallery_specular.c: a grid of spheres, specular share growing downwards, exponent growing to the right */
-extern const glint_scene demo_specular_grid;
+/* gallery_specular.c: a grid of spheres, specular share growing downwards, exponent growing to the right; a row of
+ * them, exponent growing to the right */
+extern const glint_scene demo_specular_grid, demo_exponents;
 
 /* gallery_terms.c: one still life with growing parts of the model */
 extern const glint_scene demo_ambient_only, demo_diffuse_only, demo_full_phong;

@@ -78,7 +78,7 @@ typedef struct glint_report {
     uint32_t triangles_clipped;    /* of those drawn: cut at the near plane or the guard band */
     uint32_t vertices_transformed; /* more than the scene has when the memory could not hold them */
     uint32_t pixels_shaded;        /* that passed the depth test */
-    uint32_t pixels_specular;      /* of those: with a specular term evaluated (tier exact), or above 0 */
+    uint32_t pixels_specular;      /* of those: where a specular term is above 0 or, as far as is looked, may be */
     uint32_t bands;
     uint32_t memory_used_bytes;
     /* what shading came to; each part of a clipped triangle counts */

@@ -51,6 +51,24 @@ typedef char glint_assert_arithmetic_shift[(-3 >> 1) == -2 && (int32_t)0xfffffff
 #define GLINT_OBSERVE(shade, promise) ((void)0)
 #endif
 
+/*
+ * Tells of what a frame evaluates, for copies of a backend that count it (glint-render --explain); in every other build
+ * it is nothing, and the arguments are not computed. A light is told by its light_state:
+ *
+ * object, number         the object from which what follows is drawn
+ * light, l, number       l stands for this light of the scene
+ * copy, to, l            so does this copy of it
+ * diffuse, l, times      n.s of the light is found
+ * specular, l, times     r.c or n.h of the light; gaps, l, gap_q28, count: wherever the gap found is not UINT32_MAX
+ * folded, l; culled, l   found of a triangle: the light may go into one sum with others; does not reach it
+ * set_up, shade          a triangle, or a part of one that is clipped, is ready for the first of its bands
+ * shadow, l, tests       shadows of single triangles that the light throws on a triangle, and the lights before it
+ * mirror, times          the environment is looked up
+ */
+#ifndef GLINT_COUNT
+#define GLINT_COUNT(...) ((void)0)
+#endif
+
 /* Reads constant data that may live in program memory. */
 #if defined(__AVR__)
 static inline uint8_t flash_u8(const uint8_t *address)

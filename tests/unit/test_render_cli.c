@@ -243,25 +243,6 @@ static void png_by_its_ending(void **state)
     assert_equal_pictures(in_folder("a.png"), in_folder("b.ppm"));
 }
 
-/* The plan in words: on standard output, with a picture or without one. */
-static void explain_tells_reasons(void **state)
-{
-    (void)state;
-    outcome o = RUN("spots", "--explain", "--size", "64x48");
-    assert_int_equal(o.status, 0);
-    assert_non_null(strstr(o.standard_output, "object 1: 960 triangles, 482 vertices"));
-    assert_non_null(strstr(o.standard_output, "light 1    spot: left out: the object is outside of the light's cone"));
-    assert_non_null(strstr(o.standard_output, "(no specular: the material has none of it), attenuated, in a cone"));
-    assert_non_null(strstr(o.standard_output, "  2 of 3 lights\n"));
-    assert_non_null(strstr(o.standard_output, "pixels shaded\n"));
-    free_outcome(&o);
-    o = RUN("teapot", "--explain", "-o", in_folder("explained.ppm"), "--size", "64x48");
-    assert_int_equal(o.status, 0);
-    assert_true(exists(in_folder("explained.ppm")));
-    assert_non_null(strstr(o.standard_output, "emission   no: the material has none of it"));
-    free_outcome(&o);
-}
-
 /* ------------------------------------------------------------------------------------------------------ bad arguments
  */
 
@@ -378,10 +359,10 @@ static void unwritable_outputs_leave_nothing(void **state)
 
 static int remove_folder(void **state)
 {
-    static const char *const names[] = {"a.ppm",      "b.ppm",     "a.png",         "band.ppm",   "levels.ppm",
-                                        "r.ppm",      "r.json",    "whole.ppm",     "t0.ppm",     "t360.ppm",
-                                        "t90.ppm",    "t-270.ppm", "explained.ppm", "whole.json", "least.ppm",
-                                        "least.json", "mask.pgm",  "reference.ppm", NULL};
+    static const char *const names[] = {"a.ppm",    "b.ppm",         "a.png",      "band.ppm",  "levels.ppm",
+                                        "r.ppm",    "r.json",        "whole.ppm",  "t0.ppm",    "t360.ppm",
+                                        "t90.ppm",  "t-270.ppm",     "whole.json", "least.ppm", "least.json",
+                                        "mask.pgm", "reference.ppm", NULL};
     (void)state;
     return remove_folder_with(names);
 }
@@ -399,7 +380,6 @@ int main(void)
         cmocka_unit_test(turn_is_in_degrees),
         cmocka_unit_test(reference_writes_picture_and_mask),
         cmocka_unit_test(png_by_its_ending),
-        cmocka_unit_test(explain_tells_reasons),
         cmocka_unit_test(bad_command_lines_are_refused),
         cmocka_unit_test(contradictions_are_refused),
         cmocka_unit_test(unknown_scenes_point_to_the_list),

@@ -78,11 +78,13 @@ cppcheck: ## cppcheck over library, tools, examples and tests
 
 # Generated files are what their generators print today.
 .PHONY: generated-check
-generated-check: $(B)/generate-tables $(B)/generate-textures $(MESH_GENERATOR) ## Generated tables, meshes and textures are what their generators make
+generated-check: $(B)/generate-tables $(B)/generate-textures $(MESH_GENERATOR) $(B)/glint-render $(B)/contact-sheet $(B)/glint-compare ## Generated tables, meshes, textures and figures are what their generators make
 	@tools/check-generated.sh $(B) $(MESH_GENERATOR)
 
 .PHONY: generate
-generate: $(B)/generate-tables $(B)/generate-textures $(MESH_GENERATOR) ## Make the generated tables, meshes and textures again, in place
+generate: $(B)/generate-tables $(B)/generate-textures $(MESH_GENERATOR) figures ## Make the generated tables, meshes, textures and figures again, in place
+	tools/figures.sh page > $(B)/figures.md && cp $(B)/figures.md docs/figures.md
+	if [ "$(PNG)" = yes ]; then mkdir -p docs/figures && rm -f docs/figures/*.png && cp $(B)/figures/*.png docs/figures; fi
 	$(B)/generate-tables > $(B)/tables.c && cp $(B)/tables.c src/number/tables.c
 	tools/mesh/regenerate.sh $(MESH_GENERATOR) examples/meshes
 	for name in tiles planks globe; do \
