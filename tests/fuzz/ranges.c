@@ -9,7 +9,7 @@
  *
  * What it is not: a proof. An interval is what was seen; proofs of single bounds are in tests/proofs/.
  */
-#include "tests/fuzz/scene_check.h"
+#include "tests/fuzz/scene_stages.h"
 
 #include <dirent.h>
 
