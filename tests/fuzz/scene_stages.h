@@ -35,16 +35,17 @@ static inline double layers_factor(const scene_case *c)
     return most > 0.75 ? 0 : 1 / (1 - most);
 }
 
-/* What the exact tier may promise more with a tolerance than without: panels and balls are fewer points then, which
- * takes half of what the tolerance leaves beside rounding (lighting/plan_source.c). */
+/* What the exact tier may promise more with a tolerance than without, 1/256 code. Panels and balls are fewer point
+ * lights then, which takes half of what the tolerance leaves beside rounding (lighting/plan_source.c); or more of them,
+ * and each has its own rounding. */
 static inline uint32_t sources_slack(const scene_case *c)
 {
+    uint32_t points = 0;
     for (uint16_t i = 0; i < c->scene.light_count && c->quality.tolerance != 0; i++) {
-        if (c->scene.lights[i].kind >= GLINT_PANEL) {
-            return (c->quality.tolerance * 16u - 128) / 2;
-        }
+        const glint_light *light = &c->scene.lights[i];
+        points += light->kind < GLINT_PANEL ? 0 : light->samples == 0 ? 16 : light->samples;
     }
-    return 0;
+    return points == 0 ? 0 : (c->quality.tolerance * 16u - 128) / 2 + 4 * points;
 }
 
 /* An exact picture, and one of the same scene within a tolerance or by q1 or q2. Each pixel of each is within what its
