@@ -51,11 +51,11 @@ const char *glint_error_text(int error)
     case GLINT_ERROR_LIGHT_KIND:
         return "a light's kind is unknown";
     case GLINT_ERROR_LIGHT_DIRECTION:
-        return "a directional light's direction is zero";
+        return "the direction of a directional light or a spot light is zero";
     case GLINT_ERROR_LIGHT_COLOUR:
         return "a light's colour is negative";
     case GLINT_ERROR_LIGHT_POSITION:
-        return "a point light's position is out of range (16384)";
+        return "a light's position is out of range (16384)";
     case GLINT_ERROR_LIGHT_COUNT:
         return "the scene has more than 4096 lights, samples of extended sources counted each";
     case GLINT_ERROR_AMBIENT:

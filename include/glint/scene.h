@@ -241,7 +241,7 @@ typedef struct glint_light {
 typedef struct glint_fog {
     glint_colour colour; /* F, 0..1 */
     int32_t begin_q16;   /* world units, Q16: 0..2^30 */
-    int32_t end_q16;     /* above begin_q16 by 2^-8 at least; both 0: no fog */
+    int32_t end_q16;     /* above begin_q16 by 2^-8 at least, up to 2^30; both 0: no fog */
 } glint_fog;
 
 /*

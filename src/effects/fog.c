@@ -48,6 +48,9 @@ void glint_fog_set_up(glint_fog_state *fog, const glint_fog *from, const glint_v
     fog->clear_q30 = fog->clear_q30 > fog->whole_q30 ? fog->clear_q30 : fog->whole_q30 + 1;
     const glint_scaled steepest = glint_scaled_times(per_depth, end_q16, 12);
     fog->steepest_q4 = whole_of(steepest) + 1; /* at most 2^27 */
+    GLINT_TRACE("fog's steepness q4", fog->steepest_q4);
+    GLINT_TRACE("fog's fraction", fog->fraction);
+    GLINT_TRACE("fog's begin", fog->b);
 }
 
 uint32_t glint_fog_q15(const glint_fog_state *fog, uint32_t d_q30)
@@ -69,6 +72,7 @@ uint32_t glint_fog_q15(const glint_fog_state *fog, uint32_t d_q30)
         return 0;
     }
     const uint32_t share = t - fog->b; /* below 2^28, but for rounding at f = 1 */
+    GLINT_TRACE("fog's share", share);
     if (share >> fraction != 0) {
         return ONE_Q15;
     }
@@ -79,7 +83,9 @@ static uint16_t mix(uint16_t from, uint16_t to, uint32_t f_q15)
 {
     /* |to - from| <= 2^15 and f <= 2^15 */
     const int32_t way = (int32_t)to - from;
-    return (uint16_t)(from + ((way * (int32_t)f_q15 + (1 << 14)) >> 15));
+    const int32_t mixed = from + ((way * (int32_t)f_q15 + (1 << 14)) >> 15);
+    GLINT_TRACE("mixed colour q15", mixed);
+    return (uint16_t)mixed;
 }
 
 void glint_fog_mix(glint_shade *shade, const glint_shade *colour, uint32_t f_q15)

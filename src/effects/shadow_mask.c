@@ -59,6 +59,7 @@ void glint_shadow_fill(const glint_shadows *shadows, uint32_t *mask, const glint
         const int32_t begin = l[i].step_x < 0 ? columns - 1 : 0, rows = (int32_t)y_first - box->y_first;
         side[i].value =
             (uint32_t)l[i].value + (uint32_t)l[i].step_x * (uint32_t)begin + (uint32_t)l[i].step_y * (uint32_t)rows;
+        GLINT_TRACE("shadow line", (int32_t)side[i].value);
         side[i].inwards = magnitude32(l[i].step_x);
         side[i].down = (uint32_t)l[i].step_y;
         side[i].inset = 0;

@@ -80,7 +80,9 @@ static inline int64_t plane_height(const plane *p, const int32_t v[3], int64_t *
     }
     const uint32_t way = sum_of(d); /* < 3 2^30 */
     *noise = p->noise + (product((int32_t)(way >> 2), (int32_t)p->tilt) + p->tilt) * 4;
-    return product_sum(p->normal, d);
+    const int64_t height = product_sum(p->normal, d);
+    GLINT_TRACE("shadow height", height);
+    return height;
 }
 
 static inline void plane_turn(plane *p)

@@ -31,6 +31,7 @@ static int64_t refine(int32_t gradient_q30, int32_t numerator_q12, int64_t area,
     /* over area = upper 2^(bits - 32), with 1 / upper = r / 2^62 */
     const int down = bits - 28;
     const int64_t short_rest = down > 0 ? rest >> down : rest * ((int64_t)1 << -down); /* < 2^31 */
+    GLINT_TRACE("gradient's rest", short_rest);
     return (int64_t)gradient_q30 * ((int64_t)1 << 18) + ((short_rest * (int64_t)r) >> 40);
 }
 
@@ -67,6 +68,8 @@ static void refine_gradients(fine_gradients *fine, const glint_gradients *gradie
         const glint_screen_vertex *const to = gradients->corner[i == 0 ? 0 : 1];
         fine->x_q48[i] = refine(gradients->x[i], from->y - to->y, area, r, bits);
         fine->y_q48[i] = refine(gradients->y[i], to->x - from->x, area, r, bits);
+        GLINT_TRACE("gradient q48", fine->x_q48[i]);
+        GLINT_TRACE("gradient q48", fine->y_q48[i]);
     }
     fine->way_x = GLINT_FINE / 2 - a->x;
     fine->way_y = GLINT_FINE / 2 - a->y;
@@ -76,6 +79,8 @@ static void refine_gradients(fine_gradients *fine, const glint_gradients *gradie
 static void plane_set_up(glint_texture_plane *plane, const fine_gradients *fine, const int64_t v_q16[3])
 {
     const int64_t d1 = v_q16[1] - v_q16[0], d2 = v_q16[2] - v_q16[0];
+    GLINT_TRACE("texture plane's difference q16", d1);
+    GLINT_TRACE("texture plane's difference q16", d2);
     plane->step_x = times_gradient(d1, fine->x_q48[0]) + times_gradient(d2, fine->x_q48[1]);
     plane->step_y = times_gradient(d1, fine->y_q48[0]) + times_gradient(d2, fine->y_q48[1]);
     plane->value =
@@ -149,6 +154,7 @@ void glint_texture_map_set_up(glint_texture_map *map, const glint_texture *textu
         const uint32_t half_q22 = axis_range(axis, t_q22, c);
         for (int i = 0; i < 3; i++) {
             const int64_t product = (int64_t)map->weight[i] * c[i]; /* <= 2^58 */
+            GLINT_TRACE("weighted texture coordinate", product);
             value_q16[i] = product >> 14;
             axis->corner[i] = (int32_t)(product >> 30);
         }
@@ -196,7 +202,9 @@ static int32_t limited(int32_t value, int32_t low, int32_t high)
 static inline int32_t axis_coordinate(const glint_texture_axis *axis, uint32_t p, uint32_t r)
 {
     const int32_t c = limited(multiply_high_s32_u31((int32_t)p, r), axis->low, axis->high);
-    return axis->middle_q22 + ((c + axis->half) >> axis->down);
+    const int32_t t_q22 = axis->middle_q22 + ((c + axis->half) >> axis->down);
+    GLINT_TRACE("texture coordinate q22", t_q22);
+    return t_q22;
 }
 
 /* Brings P and Q of a pixel outside of the unsnapped triangle back to what corners can have. */
@@ -267,6 +275,7 @@ static uint32_t position_of(int32_t t_q22, uint8_t wrap, uint16_t size_px)
 {
     const int32_t within =
         wrap == GLINT_CLAMP ? limited(t_q22, 0, ONE_Q22 - 1) : (int32_t)((uint32_t)t_q22 & (uint32_t)(ONE_Q22 - 1));
+    GLINT_TRACE("position in a texture q22", (int64_t)within * size_px);
     return (uint32_t)within * size_px;
 }
 
@@ -357,4 +366,7 @@ void glint_texture_sample(const glint_texture *texture, const int32_t texcoord_q
     } else {
         sample_bilinear(texture, position, texel);
     }
+    GLINT_TRACE("texture's colour q15", texel->q15[0]);
+    GLINT_TRACE("texture's colour q15", texel->q15[1]);
+    GLINT_TRACE("texture's colour q15", texel->q15[2]);
 }

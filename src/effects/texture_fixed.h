@@ -13,6 +13,7 @@ static inline void light_times(light_sum *sum, const glint_texel *texel)
 {
     for (int k = 0; k < 3; k++) {
         const uint32_t t = texel->q15[k];
+        GLINT_TRACE("light before a texture q16", sum->q16[k]);
         sum->q16[k] = (sum->q16[k] >> 15) * t + (((sum->q16[k] & 0x7fff) * t + (1 << 14)) >> 15);
     }
 }

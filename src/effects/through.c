@@ -81,12 +81,15 @@ uint32_t glint_through_mirrored_q15(int32_t cosine_q15)
     /* powers in Q30, so that the last rounding is all that counts */
     const uint32_t square_q30 = rest * rest;
     const uint32_t fourth_q30 = multiply_high_u32(square_q30 << 1, square_q30 << 1);
-    return (multiply_high_u32(fourth_q30 << 1, rest << 16) + (1 << 14)) >> 15;
+    const uint32_t fifth_q15 = (multiply_high_u32(fourth_q30 << 1, rest << 16) + (1 << 14)) >> 15;
+    GLINT_TRACE("grazing share q15", fifth_q15);
+    return fifth_q15;
 }
 
 static uint16_t added(uint16_t own, uint16_t colour, uint32_t part_q15)
 {
     const uint32_t sum = own + ((colour * part_q15 + (1 << 14)) >> 15); /* <= 2^16 */
+    GLINT_TRACE("layered colour q15", sum);
     return (uint16_t)(sum < ONE_Q15 ? sum : ONE_Q15);
 }
 
@@ -111,6 +114,7 @@ static int32_t ordered(glint_scaled size, bool negative)
 {
     const int32_t exponent = 512 - size.f, mantissa = (size.m - ((int32_t)1 << 30)) >> 10;
     const int32_t order = exponent * ((int32_t)1 << 20) + mantissa;
+    GLINT_TRACE("order of layers", order);
     return negative ? -order : order;
 }
 
@@ -132,6 +136,8 @@ int32_t glint_through_order(const glint_bounds *bounds, const int32_t eye_q16[3]
     const int64_t distance = up > 0 ? root >> up : root * ((int64_t)1 << -up);
     /* (d - r) (d + r), below 2^48 each */
     const int64_t difference = distance - bounds->radius_q16, sum = distance + bounds->radius_q16;
+    GLINT_TRACE("sphere's nearest distance", difference);
+    GLINT_TRACE("sphere's farthest distance", sum);
     if (difference == 0 || sum == 0) {
         return 0;
     }

@@ -27,6 +27,7 @@ bool glint_wire_line_set_up(glint_wire_line *line, const glint_point *from, cons
     /* half the width is 8 width_q4 sub-pixels; |d| < 2^21, with 8 bits more */
     const uint64_t square = (uint64_t)((int64_t)dx * dx + (int64_t)dy * dy);
     line->limit = (uint32_t)(((uint64_t)glint_square_root_u64(square << 16) * width_q4 + (1 << 12)) >> 13);
+    GLINT_TRACE("wire limit", line->limit);
     return line->limit != 0;
 }
 

@@ -35,6 +35,7 @@ typedef struct light_reach {
 static inline glint_far far_from(uint32_t value, int fraction)
 {
     const int up = clz32(value) & 31; /* 0 stays 0 */
+    GLINT_TRACE("distance's fraction", fraction + up);
     const glint_far far = {value << up, (int16_t)(fraction + up)};
     return far;
 }
@@ -101,7 +102,8 @@ static inline glint_far reach_distance(const surface *at, const real v[3], int f
     int32_t along = 0;
     for (int k = 0; k < 3; k++) {
         const int32_t fine = up >= 0 ? (int32_t)((uint32_t)v[k] << up) : v[k] >> 1;
-        along += multiply_high_s32(fine, towards[k] * ((int32_t)1 << 15)); /* |.| <= 2^28 in all */
+        along += multiply_high_s32(fine, towards[k] * ((int32_t)1 << 15)); /* |.| <= sqrt(3) 2^28 in all */
+        GLINT_TRACE("distance along its direction", along);
     }
     /* (|s|^2 - 1) / 2, below 2^-13 */
     const uint32_t square_q30 =
@@ -125,6 +127,7 @@ static inline uint32_t reach_divisor(const light_reach *reach, glint_far t, glin
         }
         sum += term;
     }
+    GLINT_TRACE("attenuation's divisor", sum);
     return sum;
 }
 
@@ -178,7 +181,9 @@ static inline uint32_t reach_cone_q15(const light_reach *reach, const real v[3])
     for (int k = 0; k < 3; k++) {
         const uint32_t d = magnitude32(s[k]) << up;
         gap_q30 += multiply_high_u32(d, d); /* below 3 2^28 */
+        GLINT_TRACE("difference from a cone's axis q28", s[k]);
     }
+    GLINT_TRACE("half a cone's square", gap_q30);
     gap_q30 = far_fixed(far_from(gap_q30, 25 + 2 * up), 30);
     if (gap_q30 >= reach->edge_q30) {
         return 0;
@@ -204,6 +209,7 @@ static inline real light_reach_factor(const light_reach *reach, const surface *a
     if (reach->has_cone && factor_q15 != 0) {
         factor_q15 = (factor_q15 * reach_cone_q15(reach, v) + (1 << 14)) >> 15;
     }
+    GLINT_TRACE("reach factor q15", factor_q15);
     return (real)factor_q15;
 }
 

@@ -70,6 +70,19 @@ static inline int16_t take_s16(bytes *b)
     return (int16_t)take_u16(b);
 }
 
+/* The same bytes from the last to the first, MOST_FROM_END at most, so that two readers of one input hardly meet.
+ * `reversed` is theirs. */
+enum { MOST_FROM_END = 256 };
+
+static inline bytes bytes_from_end(const uint8_t *data, size_t size, uint8_t reversed[MOST_FROM_END])
+{
+    const size_t count = size < MOST_FROM_END ? size : MOST_FROM_END;
+    for (size_t i = 0; i < count; i++) {
+        reversed[i] = data[size - 1 - i];
+    }
+    return bytes_from(reversed, count);
+}
+
 /* low..high, both included; low where high is less. */
 static inline int32_t take_between(bytes *b, int32_t low, int32_t high)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * libFuzzer's entry for the scene validator and the renderer, both backends: see scene_check.h. `make fuzz` runs it.
+ * libFuzzer's entry for the scene validator and the renderer, both backends: see scene_stages.h. `make fuzz` runs it.
  */
-#include "tests/fuzz/scene_check.h"
+#include "tests/fuzz/scene_stages.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

@@ -9,7 +9,7 @@
  *
  * What it is not: a proof. An interval is what was seen; proofs of single bounds are in tests/proofs/.
  */
-#include "tests/fuzz/scene_check.h"
+#include "tests/fuzz/scene_stages.h"
 
 #include <dirent.h>
 
@@ -190,7 +190,10 @@ static unsigned draw_extreme(uint64_t *random, unsigned scenes)
         uint8_t data[8];
         random_bytes(random, data);
         bytes b = bytes_from(data, sizeof data);
-        take_extreme_scene(&b, &e);
+        const double about_q16 = take_extreme_scene(&b, &e);
+        if (i & 1) {
+            take_extreme_effects(&b, &e, about_q16);
+        }
         drawn += draw(&e.scene, &e.display, &extreme_ways[e.way]);
     }
     return drawn;

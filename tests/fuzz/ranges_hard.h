@@ -10,11 +10,11 @@
 #ifndef GLINT_TESTS_FUZZ_RANGES_HARD_H
 #define GLINT_TESTS_FUZZ_RANGES_HARD_H
 
-#include "tests/fuzz/ranges_scenes.h"
+#include "tests/fuzz/ranges_effects.h"
 
 #define MOST_TRIANGLES 65534 /* of a scene whose triangles are sorted into bands */
 #define HARD_OBJECTS 2
-#define HARD_KINDS 9
+#define HARD_KINDS 10
 
 static const glint_colour brightest = {INT16_MAX, INT16_MAX, INT16_MAX}, all_of_it = {16384, 16384, 16384};
 
@@ -109,6 +109,7 @@ static inline void hard_triangles(extreme_scene *e, int which)
     static glint_object objects[HARD_OBJECTS];
     hard_begin(e, 4, 4, 8192);
     hard_fill(e, 64);
+    e->display.band_px = 2; /* without bands there is no list */
     for (int t = 0; t < MOST_TRIANGLES / HARD_OBJECTS; t++) {
         memcpy(triangles[t], e->triangles[which], sizeof triangles[t]); /* of one side and the other, one faces away */
     }
@@ -272,16 +273,44 @@ static inline void hard_dim(extreme_scene *e, int which)
     e->material.specular = e->material.ambient = (glint_colour){0, 0, 0};
 }
 
+/* Effects at their ends where something of them is seen: on smooth surfaces, on steep ones, over the guard band. */
+static inline void hard_effects(bytes *b, extreme_scene *e, int which)
+{
+    if (which % 4 == 0) {
+        hard_steep(b, e);
+    } else if (which % 32 == 1) {
+        hard_guard(b, e, 64, 48);
+    } else {
+        hard_smooth(b, e);
+    }
+    const double about_q16 = e->positions[0][2] * 65536.0 * exp2(-e->mesh.fraction_bits);
+    for (uint16_t i = 0; i < e->scene.light_count; i++) {
+        glint_light *light = &e->lights[i];
+        if (take_rarely(b, 2)) {
+            light->kind = GLINT_POINT;
+            for (int k = 0; k < 3; k++) {
+                const double beside = about_q16 * exp2(-take_between(b, 0, 16)) * (take_share(b) - 0.5);
+                light->position_q16[k] = clamp_q16((k == 2 ? about_q16 : 0) + beside, -FARTHEST_Q16, FARTHEST_Q16);
+            }
+        }
+    }
+    take_extreme_effects(b, e, about_q16);
+    e->display.band_px = (uint16_t)(which & 1 ? 5 : 0);
+}
+
 /* Makes scene number `which` of a kind; false after the kind's last. */
 static inline bool hard_scene(bytes *b, extreme_scene *e, unsigned kind, int which)
 {
-    static const int scenes[HARD_KINDS] = {1, 2, 26, 64, 32, INT32_MAX, INT32_MAX, INT32_MAX, 64};
+    static const int scenes[HARD_KINDS] = {2, 2, 26, 64, 32, INT32_MAX, INT32_MAX, INT32_MAX, 64, INT32_MAX};
     if (which >= scenes[kind]) {
         return false;
     }
     switch (kind) {
     case 0:
         hard_lights(e);
+        if (which == 1) { /* over a texture, too */
+            take_extreme_texture(b, e);
+        }
         break;
     case 1:
         hard_triangles(e, which);
@@ -304,8 +333,11 @@ static inline bool hard_scene(bytes *b, extreme_scene *e, unsigned kind, int whi
     case 7:
         hard_smooth(b, e);
         break;
-    default:
+    case 8:
         hard_dim(e, which);
+        break;
+    default:
+        hard_effects(b, e, which);
         break;
     }
     return true;

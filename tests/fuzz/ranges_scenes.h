@@ -18,10 +18,11 @@ static const glint_environment white_environment = {.texels = white_texels, .sid
 #define NEAREST_Q16 64
 
 typedef struct extreme_scene {
-    int16_t positions[EXTREME_VERTICES][3], normals[EXTREME_VERTICES][3];
+    int16_t positions[EXTREME_VERTICES][3], normals[EXTREME_VERTICES][3], texcoords[EXTREME_VERTICES][2];
     uint16_t triangles[EXTREME_TRIANGLES][3];
     glint_mesh mesh;
     glint_material material;
+    glint_texture texture;
     glint_camera camera;
     glint_light lights[EXTREME_LIGHTS];
     glint_object object;
@@ -190,8 +191,8 @@ static inline void take_extreme_display(bytes *b, extreme_scene *e)
     e->display.band_px = kind & 8 ? 8 : 0;
 }
 
-/* Points into itself, so it is not copied. */
-static inline void take_extreme_scene(bytes *b, extreme_scene *e)
+/* Points into itself, so it is not copied. Returns how far the object is. */
+static inline double take_extreme_scene(bytes *b, extreme_scene *e)
 {
     static const uint16_t exponents[] = {0, 1, 15, 16, 160, 16383, 16384};
     double forward[3];
@@ -233,6 +234,7 @@ static inline void take_extreme_scene(bytes *b, extreme_scene *e)
     e->scene.ambient = (glint_colour){INT16_MAX, 0, 16384};
     e->scene.background = (glint_colour){16384, 0, 8192};
     e->way = (uint8_t)take_between(b, 0, EXTREME_WAYS - 1);
+    return distance_q16;
 }
 
 #endif

@@ -27,6 +27,8 @@ typedef struct scene_case {
     glint_material materials[CASE_MESHES];
     glint_object objects[CASE_OBJECTS];
     glint_light lights[CASE_LIGHTS];
+    glint_texture textures[CASE_MESHES];
+    glint_environment environment;
     glint_scene scene;
     glint_display display; /* flush and context are for the one who draws */
     glint_quality quality;
@@ -34,7 +36,9 @@ typedef struct scene_case {
     bool wild;
     /* pointers that are NULL in the call, as bits */
     enum { NULL_SCENE = 1, NULL_DISPLAY = 2, NULL_QUALITY = 4, NULL_MEMORY = 8, NULL_FLUSH = 16 } null;
-    void *allocated[3 * CASE_MESHES];
+    /* of each mesh three arrays; then those of scene_effects.h: of each texture two, texture coordinates of each mesh,
+     * the environment */
+    void *allocated[6 * CASE_MESHES + 1];
 } scene_case;
 
 static inline int16_t take_colour(bytes *b, int16_t most, bool wild)
@@ -292,104 +296,6 @@ static inline void scene_case_tame(scene_case *c, const taming *t)
                 normals[v][k] = (int16_t)lrint(16384 * n[k] / sqrt(square));
             }
         }
-    }
-}
-
-/* One fault in an otherwise valid call; numbers beyond the list leave it alone. */
-static inline void scene_case_break(scene_case *c, uint8_t fault)
-{
-    switch (fault) {
-    case 0:
-    case 1:
-    case 2:
-    case 3:
-    case 4:
-        c->null = (unsigned)1 << fault;
-        break;
-    case 5:
-        c->scene.camera = NULL;
-        break;
-    case 6:
-        c->scene.objects = NULL;
-        break;
-    case 7:
-        c->scene.lights = NULL;
-        break;
-    case 8:
-        c->objects[0].mesh = NULL;
-        break;
-    case 9:
-        c->objects[0].material = NULL;
-        break;
-    case 10:
-        c->meshes[0].positions = NULL;
-        break;
-    case 11:
-        c->meshes[0].normals_q14 = NULL;
-        break;
-    case 12:
-        c->meshes[0].triangles = NULL;
-        break;
-    case 13:
-        c->meshes[0].vertex_count = 2;
-        break;
-    case 14:
-        c->meshes[0].triangle_count = 0;
-        break;
-    case 15:
-        c->meshes[0].fraction_bits = 25;
-        break;
-    case 16:
-        c->meshes[0].fraction_bits = -1;
-        break;
-    case 17:
-        c->scene.light_count = GLINT_MAX_LIGHTS + 1; /* the array is not that long: it must not be looked at */
-        break;
-    case 18:
-        memcpy(c->camera.target_q16, c->camera.eye_q16, sizeof c->camera.eye_q16);
-        break;
-    case 19:
-        memcpy(c->objects[0].place.linear_q16[1], c->objects[0].place.linear_q16[0], sizeof(int32_t[3]));
-        break;
-    case 20:
-        ((uint16_t(*)[3])c->allocated[2])[c->meshes[0].triangle_count - 1][0] = c->meshes[0].vertex_count;
-        break;
-    case 21:
-        ((uint16_t(*)[3])c->allocated[2])[c->meshes[0].triangle_count - 1][1] = c->meshes[0].vertex_count;
-        break;
-    case 22:
-        ((uint16_t(*)[3])c->allocated[2])[c->meshes[0].triangle_count - 1][2] = c->meshes[0].vertex_count;
-        break;
-    case 23:
-        c->camera.near_q16 = 63;
-        break;
-    case 24:
-        c->camera.field_of_view_turn16 = 181;
-        break;
-    case 25:
-        c->camera.eye_q16[1] = -((int32_t)1 << 30) - 1;
-        break;
-    case 26:
-        c->objects[0].place.origin_q16[2] = ((int32_t)1 << 30) + 1;
-        break;
-    case 27:
-        c->lights[0].colour.b_q14 = -1;
-        break;
-    case 28:
-        c->materials[0].specular.g_q14 = 16385;
-        break;
-    case 29:
-        c->materials[0].exponent_q4 = GLINT_MAX_EXPONENT * 16 + 1;
-        break;
-    case 30:
-        c->scene.background.r_q14 = 16385;
-        break;
-    case 31:
-        c->lights[0].kind = GLINT_POINT;
-        c->lights[0].position_q16[0] = INT32_MIN;
-        break;
-    default:
-        break;
     }
 }
 

@@ -6,7 +6,7 @@
 #ifndef GLINT_TESTS_FUZZ_SCENE_VALIDITY_H
 #define GLINT_TESTS_FUZZ_SCENE_VALIDITY_H
 
-#include "tests/fuzz/scene_case.h"
+#include "tests/fuzz/scene_faults.h"
 
 static inline validity both(validity a, validity b)
 {
@@ -102,23 +102,100 @@ static inline validity mesh_validity(const glint_mesh *mesh)
     return VALID;
 }
 
-static inline validity material_validity(const glint_material *m)
+static inline validity texture_validity(const glint_texture *t, const glint_mesh *mesh)
 {
-    if (m == NULL || m->exponent_q4 > GLINT_MAX_EXPONENT * 16 || m->specular_model > GLINT_BLINN) {
+    const bool coded = t->format == GLINT_TEXTURE_PALETTE8;
+    const bool good = t->format <= GLINT_TEXTURE_PALETTE8 && t->width_px >= 1 && t->width_px <= 1024 &&
+                      t->height_px >= 1 && t->height_px <= 1024 && t->texels != NULL &&
+                      (!coded || (t->palette != NULL && t->palette_count >= 1 && t->palette_count <= 256)) &&
+                      t->filter <= GLINT_BILINEAR && t->wrap_u <= GLINT_CLAMP && t->wrap_v <= GLINT_CLAMP &&
+                      mesh->texcoords != NULL && mesh->texcoord_bits >= 9 && mesh->texcoord_bits <= 15;
+    return good ? VALID : INVALID;
+}
+
+static inline bool is_black(const glint_colour *c)
+{
+    return c->r_q14 == 0 && c->g_q14 == 0 && c->b_q14 == 0;
+}
+
+static inline validity material_validity(const glint_material *m, const glint_scene *scene)
+{
+    if (m == NULL || m->exponent_q4 > GLINT_MAX_EXPONENT * 16 || m->specular_model > GLINT_BLINN ||
+        m->sides > GLINT_TWO_SIDED || m->shadows > 3 || m->transmission_q14 > 16384 || m->wire_width_q4 > 4096 ||
+        (!is_black(&m->mirror) && scene->environment == NULL)) {
         return INVALID;
     }
-    return both(colour_validity(&m->ambient, 16384),
-                both(colour_validity(&m->diffuse, 16384), colour_validity(&m->specular, 16384)));
+    const glint_colour *const colours[] = {&m->ambient, &m->diffuse, &m->specular, &m->emission,
+                                           &m->mirror,  &m->grazing, &m->wire};
+    validity v = VALID;
+    for (size_t i = 0; i < sizeof colours / sizeof *colours; i++) {
+        v = both(v, colour_validity(colours[i], 16384));
+    }
+    return v;
+}
+
+static inline bool distance_is_good(uint32_t distance_q16)
+{
+    return distance_q16 == 0 || (distance_q16 / 65536.0 >= 1 / 256.0 && distance_q16 / 65536.0 <= 16384);
+}
+
+static inline validity extent_validity(const glint_light *light)
+{
+    const double most = 16384.0 * 65536;
+    for (int k = 0; k < 3; k++) {
+        const double extent = light->kind == GLINT_BALL
+                                  ? light->radius_q16
+                                  : fabs((double)light->edge_q16[0][k]) + fabs((double)light->edge_q16[1][k]);
+        if (extent < 0 || fabs((double)light->position_q16[k]) + extent > most) {
+            return INVALID;
+        }
+    }
+    return light->samples <= 64 && !light->casts_shadows ? VALID : INVALID;
 }
 
 static inline validity light_validity(const glint_light *light)
 {
     const bool still = light->direction[0] == 0 && light->direction[1] == 0 && light->direction[2] == 0;
-    if (light->kind > GLINT_POINT || (light->kind == GLINT_DIRECTIONAL && still)) {
+    const validity colour = colour_validity(&light->colour, INT16_MAX);
+    switch (light->kind) {
+    case GLINT_DIRECTIONAL:
+        return still ? INVALID : colour;
+    case GLINT_SPOT:
+        if (still || light->outer_turn16 > 65536 / 4 || light->outer_turn16 - light->inner_turn16 < 182) {
+            return INVALID;
+        }
+        break;
+    case GLINT_PANEL:
+    case GLINT_BALL:
+        if (extent_validity(light) != VALID) {
+            return INVALID;
+        }
+        break;
+    case GLINT_POINT:
+        break;
+    default:
         return INVALID;
     }
-    return both(colour_validity(&light->colour, INT16_MAX),
-                light->kind == GLINT_POINT ? point_validity(light->position_q16) : VALID);
+    if (!distance_is_good(light->attenuation.unit_q16) || !distance_is_good(light->attenuation.range_q16)) {
+        return INVALID;
+    }
+    return both(colour, point_validity(light->position_q16));
+}
+
+static inline validity fog_validity(const glint_fog *fog)
+{
+    const double begin = fog->begin_q16 / 65536.0, end = fog->end_q16 / 65536.0;
+    const bool none = fog->begin_q16 == 0 && fog->end_q16 == 0;
+    const bool good = begin >= 0 && end <= 16384 && end - begin >= 1 / 256.0;
+    return none ? VALID : good ? colour_validity(&fog->colour, 16384) : INVALID;
+}
+
+static inline validity environment_validity(const glint_environment *e)
+{
+    const bool good =
+        e == NULL ||
+        (e->texels != NULL && (e->side == 8 || e->side == 16 || e->side == 32 || e->side == 64 || e->side == 128));
+    return good ? VALID : INVALID;
 }
 
 static inline validity display_validity(const glint_display *d)
@@ -151,14 +228,48 @@ static inline validity scene_case_validity(const scene_case *c)
     }
     validity v = both(camera_validity(scene->camera), display_validity(&c->display));
     v = both(v, both(colour_validity(&scene->ambient, INT16_MAX), colour_validity(&scene->background, 16384)));
+    v = both(v, both(colour_validity(&scene->sky, INT16_MAX), colour_validity(&scene->ground, INT16_MAX)));
+    v = both(v, both(fog_validity(&scene->fog), environment_validity(scene->environment)));
     for (uint16_t i = 0; i < scene->object_count; i++) {
-        v = both(v, both(mesh_validity(scene->objects[i].mesh), material_validity(scene->objects[i].material)));
-        v = both(v, place_validity(&scene->objects[i].place));
+        const glint_object *o = &scene->objects[i];
+        v = both(v, both(mesh_validity(o->mesh), material_validity(o->material, scene)));
+        v = both(v, place_validity(&o->place));
+        if (v != INVALID && o->material->texture != NULL) {
+            v = both(v, texture_validity(o->material->texture, o->mesh));
+        }
     }
     for (uint16_t i = 0; i < scene->light_count; i++) {
         v = both(v, light_validity(&scene->lights[i]));
     }
     return v;
+}
+
+/* Has the variant all that the (valid) scene asks for? Exact shading; `whole_phong` of the specular term and of point
+ * lights, else of neither; no effect but emission, which is part of the ambient term. */
+static inline bool variant_has_all(const scene_case *c, bool whole_phong)
+{
+    const glint_scene *scene = &c->scene;
+    if (c->quality.shading != GLINT_SHADING_EXACT || c->quality.tolerance != 0 || !is_black(&scene->sky) ||
+        !is_black(&scene->ground) || scene->fog.end_q16 != 0) {
+        return false;
+    }
+    for (uint16_t i = 0; i < scene->light_count; i++) {
+        const glint_light *l = &scene->lights[i];
+        const uint16_t *k = l->attenuation.k_q14;
+        if (l->casts_shadows || l->kind > GLINT_POINT ||
+            (l->kind == GLINT_POINT &&
+             (!whole_phong || l->attenuation.range_q16 != 0 || k[0] != 0 || k[1] != 0 || k[2] != 0))) {
+            return false;
+        }
+    }
+    for (uint16_t i = 0; i < scene->object_count; i++) {
+        const glint_material *m = scene->objects[i].material;
+        if ((!whole_phong && !is_black(&m->specular)) || !is_black(&m->mirror) || m->sides != GLINT_FRONT_SIDE ||
+            m->transmission_q14 != 0 || m->wire_width_q4 != 0 || m->texture != NULL) {
+            return false;
+        }
+    }
+    return true;
 }
 
 #endif

@@ -181,23 +181,43 @@ static void test_B6_attenuation_near_distance_zero(void **state)
     (void)state;
     const volatile double least = 0;
     const double naive = 1 / (least * least);
-    assert_true(isinf(naive));
+    const double near = 1 / (1.0 / 1024 * (1.0 / 1024)); /* of a light of 1 */
+    assert_true(isinf(naive) && near > 1e6);
     board b;
-    int tried = 0;
+    int tried = 0, saturated = 0;
     diffuse_board(&b);
-    for (int32_t height_q16 = 1 << 30; height_q16 >= 64; height_q16 /= 2) {
-        point_light(&b, 0, 0, 0);
-        b.light[0].position_q16[2] = height_q16;
-        for (int n = 0; n < FRAME_BACKENDS; n++) {
-            assert_int_equal(board_centre(&b, GLINT_SHADING_EXACT, n), 255);
+    b.material.diffuse = board_grey(8192); /* half, so that too much light would be seen */
+    /* 1 / d^2 and 1 / d, in a unit of the world's or of the light's own, straight before the middle */
+    for (int kind = 0; kind < 4; kind++) {
+        const double unit = kind & 1 ? 0.25 : 1;
+        for (int32_t height_q16 = 1 << 22; height_q16 >= 64; height_q16 /= 2) {
+            const double t = height_q16 / 65536.0 / unit, level = fmin(1, kind & 2 ? 1 / t : 1 / (t * t));
+            point_light(&b, 0, 0, 0);
+            memset(&b.light[0].attenuation, 0, sizeof b.light[0].attenuation);
+            b.light[0].position_q16[2] = height_q16;
+            b.light[0].attenuation.k_q14[kind & 2 ? 1 : 2] = 16384;
+            b.light[0].attenuation.unit_q16 = kind & 1 ? 16384 : 0;
+            expect_centre(&b, GLINT_SHADING_EXACT, level / 2, "attenuated");
+            for (int n = 0; n < FRAME_BACKENDS && level == 1; n++) {
+                assert_int_equal(board_centre(&b, GLINT_SHADING_EXACT, n), 128); /* and no more */
+                saturated++;
+            }
             tried++;
         }
+        point_light(&b, 0, 0, 0);
+        b.light[0].attenuation.k_q14[2] = 16384;
+        expect_centre(&b, GLINT_SHADING_EXACT, 0, "distance 0");
     }
+    /* near the board: saturated below the light, falling beside it */
     point_light(&b, 0, 0, 0);
-    expect_centre(&b, GLINT_SHADING_EXACT, 0, "distance 0");
-    hard_pass(
-        "B6", "attenuation near distance 0", text("1 / d^2 is %f", naive),
-        text("not built yet: attenuation; code 255 at each of %d distances from 16384 to 1/1024, none at 0", tried));
+    b.light[0].position_q16[2] = 3 << 14;
+    b.light[0].attenuation.k_q14[2] = 16384;
+    const double worst = expect_reference(&b.scene, BOARD_PX, BOARD_PX, GLINT_SHADING_EXACT, "near");
+    hard_pass("B6", "attenuation near distance 0",
+              text("1 / d^2 is %f at 0, %.0f times the light at 1/1024", naive, near),
+              text("min(1, 1 / d^2), at each of %d distances from 64 to 1/1024, all of the light and no more at %d; "
+                   "none at 0; beside it within %.2f codes",
+                   tried, saturated, worst));
 }
 
 static void test_B7_light_behind_the_face(void **state)

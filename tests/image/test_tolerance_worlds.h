@@ -357,6 +357,24 @@ static void add_textures(world *w)
     }
 }
 
+/* Lights that cast shadows, in one scene of four; wires on some surfaces, in one of six. */
+static void add_shadows_and_wires(world *w)
+{
+    const bool shadows = one_in(w, 4), wires = one_in(w, 6);
+    for (uint16_t i = 0; shadows && i < w->scene.light_count; i++) {
+        w->lights[i].casts_shadows = w->lights[i].kind < GLINT_PANEL && !one_in(w, 4);
+    }
+    for (int i = 0; i < WORLD_OBJECTS; i++) {
+        if (shadows && one_in(w, 4)) {
+            w->materials[i].shadows = (uint8_t)between(w, 1, 3);
+        }
+        if (wires && one_in(w, 2)) {
+            w->materials[i].wire = colour(w, 1, false);
+            w->materials[i].wire_width_q4 = (uint16_t)between(w, 1, 64);
+        }
+    }
+}
+
 /* Scene `number` of the run. Pointers go into *w, so it must stay where it is. */
 static void make_world(world *w, uint32_t seed, uint32_t number)
 {
@@ -416,6 +434,7 @@ static void make_world(world *w, uint32_t seed, uint32_t number)
     add_effects(w, distance);
     add_extents(w, distance);
     add_textures(w);
+    add_shadows_and_wires(w);
 }
 
 /*

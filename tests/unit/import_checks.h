@@ -72,6 +72,48 @@ static inline void world_point(const glint_object *object, unsigned vertex, doub
     }
 }
 
+static inline bool warned(const imported_scene *scene, const char *text)
+{
+    for (size_t i = 0; i < imported_scene_warning_count(scene); i++) {
+        if (strstr(imported_scene_warning(scene, i), text)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static inline void assert_colour(const glint_colour *colour, int r, int g, int b)
+{
+    assert_int_equal(colour->r_q14, r);
+    assert_int_equal(colour->g_q14, g);
+    assert_int_equal(colour->b_q14, b);
+}
+
+static inline void assert_int32s(const int32_t value[3], int32_t x, int32_t y, int32_t z)
+{
+    assert_int_equal(value[0], x);
+    assert_int_equal(value[1], y);
+    assert_int_equal(value[2], z);
+}
+
+static inline void assert_direction(const int16_t value[3], int x, int y, int z)
+{
+    assert_int_equal(value[0], x);
+    assert_int_equal(value[1], y);
+    assert_int_equal(value[2], z);
+}
+
+/* What arrives of a light in a distance, in Q14, by the formula of <glint/scene.h>. */
+static inline void assert_arrives(const glint_light *light, double distance, double r, double g, double b)
+{
+    const glint_attenuation *a = &light->attenuation;
+    const double t = distance / (a->unit_q16 ? a->unit_q16 / 65536.0 : 1);
+    const double quotient = 16384 / fmax(16384, a->k_q14[0] + a->k_q14[1] * t + a->k_q14[2] * t * t);
+    assert_true(fabs(light->colour.r_q14 * quotient - r) <= 1);
+    assert_true(fabs(light->colour.g_q14 * quotient - g) <= 1);
+    assert_true(fabs(light->colour.b_q14 * quotient - b) <= 1);
+}
+
 /* What holds for every import: valid indices, normals of unit length, formats in range, the view in front of the near
  * plane when the camera was placed by the importer. */
 static inline void assert_sound(const glint_scene *scene)
@@ -162,12 +204,20 @@ static inline void assert_same_scene(const glint_scene *a, const glint_scene *b)
         assert_memory_equal(x->direction, y->direction, sizeof x->direction);
         assert_memory_equal(x->position_q16, y->position_q16, sizeof x->position_q16);
         assert_memory_equal(&x->colour, &y->colour, sizeof x->colour);
+        assert_memory_equal(x->attenuation.k_q14, y->attenuation.k_q14, sizeof x->attenuation.k_q14);
+        assert_int_equal(x->attenuation.unit_q16, y->attenuation.unit_q16);
+        assert_int_equal(x->attenuation.range_q16, y->attenuation.range_q16);
+        assert_int_equal(x->inner_turn16, y->inner_turn16);
+        assert_int_equal(x->outer_turn16, y->outer_turn16);
     }
     for (unsigned i = 0; i < a->object_count; i++) {
         const glint_object *x = &a->objects[i], *y = &b->objects[i];
         assert_memory_equal(&x->place, &y->place, sizeof x->place);
         assert_int_equal(x->material->exponent_q4, y->material->exponent_q4);
         assert_int_equal(x->material->specular_model, y->material->specular_model);
+        assert_int_equal(x->material->sides, y->material->sides);
+        assert_int_equal(x->material->transmission_q14, y->material->transmission_q14);
+        assert_memory_equal(&x->material->emission, &y->material->emission, sizeof x->material->emission);
         assert_memory_equal(&x->material->ambient, &y->material->ambient, 3 * sizeof x->material->ambient);
         assert_int_equal(x->mesh->vertex_count, y->mesh->vertex_count);
         assert_int_equal(x->mesh->triangle_count, y->mesh->triangle_count);

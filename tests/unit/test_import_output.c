@@ -207,9 +207,9 @@ static void test_ranges(void **state)
 static void test_compiled_source(void **state)
 {
     (void)state;
-    static const char *const names[] = {"cube.obj",  "corner.gltf",  "tile.dae",     "no-normals.obj",
-                                        "rough.obj", "textured.obj", "textured.gltf"};
-    for (int i = 0; i < 5; i++) {
+    static const char *const names[] = {"cube.obj",  "corner.gltf", "tile.dae",  "no-normals.obj", "rough.obj",
+                                        "panes.obj", "panes.gltf",  "lamps.dae", "textured.obj",   "textured.gltf"};
+    for (int i = 0; i < (int)(sizeof names / sizeof *names); i++) {
         char arguments[2048], said[4096], command[4096], model[256];
         snprintf(model, sizeof model, MODELS "%s", names[i]);
         snprintf(arguments, sizeof arguments, "%s -o %s/model%d.c --name model %s%s%s", model, folder, i,

@@ -153,16 +153,18 @@ static void report_is_json_and_its_counts_agree(void **state)
 /* Too little memory is refused with the least that would do; exactly that does, more slowly, with the same picture. */
 static void memory_least_is_told_and_is_enough(void **state)
 {
-    static const char *const backends[] = {"fixed", "float"};
+    static const char *const backends[] = {"fixed", "float"}, *const scenes[] = {"sphere-32x16", "shadows-lamps"};
     (void)state;
-    for (size_t b = 0; b < 2; b++) {
+    for (size_t i = 0; i < 4; i++) {
+        const size_t b = i % 2;
+        const char *const scene = scenes[i / 2];
         unsigned long least = 0;
         char least_text[24], below_text[24];
 
-        assert_good(RUN("sphere-32x16", "-o", in_folder("whole.ppm"), "--size", "64x48", "--band", "8", "--backend",
-                        backends[b], "--report", in_folder("whole.json")));
-        outcome o = RUN("sphere-32x16", "-o", in_folder("none.ppm"), "--size", "64x48", "--band", "8", "--backend",
-                        backends[b], "--memory", "4");
+        assert_good(RUN(scene, "-o", in_folder("whole.ppm"), "--size", "64x48", "--band", "8", "--backend", backends[b],
+                        "--report", in_folder("whole.json")));
+        outcome o = RUN(scene, "-o", in_folder("none.ppm"), "--size", "64x48", "--band", "8", "--backend", backends[b],
+                        "--memory", "4");
         assert_int_equal(o.status, 1);
         const char *told = strstr(o.standard_error, "at least ");
         assert_non_null(told);
@@ -173,12 +175,12 @@ static void memory_least_is_told_and_is_enough(void **state)
 
         (void)snprintf(least_text, sizeof least_text, "%lu", least);
         (void)snprintf(below_text, sizeof below_text, "%lu", least - 1);
-        assert_refused(RUN("sphere-32x16", "-o", in_folder("none.ppm"), "--size", "64x48", "--band", "8", "--backend",
+        assert_refused(RUN(scene, "-o", in_folder("none.ppm"), "--size", "64x48", "--band", "8", "--backend",
                            backends[b], "--memory", below_text),
                        1, "at least ");
         assert_nothing_at("none.ppm");
-        assert_good(RUN("sphere-32x16", "-o", in_folder("least.ppm"), "--size", "64x48", "--band", "8", "--backend",
-                        backends[b], "--memory", least_text, "--report", in_folder("least.json")));
+        assert_good(RUN(scene, "-o", in_folder("least.ppm"), "--size", "64x48", "--band", "8", "--backend", backends[b],
+                        "--memory", least_text, "--report", in_folder("least.json")));
         assert_equal_pictures(in_folder("whole.ppm"), in_folder("least.ppm"));
 
         cJSON *whole = read_report("whole.json"), *small = read_report("least.json");

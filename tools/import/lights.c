@@ -76,12 +76,16 @@ static void read_attenuation(const importer *import, const struct aiLight *light
 }
 
 /* assimp gives half the angle for glTF, as the file does; COLLADA's falloff_angle is taken for half of it too, since
- * its default, 180 degrees, stands for no cone at all. */
+ * its default, 180 degrees, stands for no cone at all. Beyond it there is no light; where the file gives no exponent,
+ * assimp supposes one of 1 and an outer cone where that is down to a tenth, which is wider by acos(0.1). */
 static void read_cone(const importer *import, const struct aiLight *light, float_light *result)
 {
     const double right_angle = 1.5707963267948966;
     result->inner = fmax(0, (double)light->mAngleInnerCone);
     result->outer = fmax(result->inner, (double)light->mAngleOuterCone);
+    if (import->kind == FILE_COLLADA && fabs(result->outer - result->inner - acos(0.1)) < 1e-3) {
+        result->outer = result->inner;
+    }
     result->spot = result->inner < right_angle && result->outer > 0;
     if (!result->spot) {
         store_warn(import->out, "light '%s': its cone of more than 180 degrees is left out", name_of(&light->mName));

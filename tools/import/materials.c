@@ -15,6 +15,11 @@
  * (T. Akenine-Moeller and others, "Real-Time Rendering", 3rd ed., 7.6); its peak is cut at 1, where a display ends too.
  * 0.04 is glTF's reflectance of dielectrics. Nothing stands for the growth of F at grazing angles or for reflections,
  * so polished metals are darker than in a viewer with an environment.
+ *
+ * Opacity o (MTL's d or 1 - Tr, COLLADA's transparency, glTF's base colour alpha where its mode is BLEND) mixes all of
+ * the surface's light with what is behind, o L + (1 - o) behind. glint_material.transmission t = 1 - o does so with all
+ * but the highlight, which is therefore multiplied by o here. glTF's KHR_materials_transmission leaves the highlight
+ * alone, as t does.
  */
 #include "tools/import/internal.h"
 
@@ -23,10 +28,11 @@
 #include <math.h>
 #include <string.h>
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 
 typedef struct float_material {
-    double ambient[3], diffuse[3], specular[3], emission[3], exponent;
+    double ambient[3], diffuse[3], specular[3], emission[3], exponent, transmission;
     bool blinn;
 } float_material;
 
@@ -97,13 +103,57 @@ static void warn_of_rest(importer *import, const struct aiMaterial *material, co
     if (textures) {
         store_warn(import->out, "material '%s': textures other than of the diffuse colour are ignored", name);
     }
-    double opacity = 1;
-    if (get_number(material, AI_MATKEY_OPACITY, &opacity) && opacity < 1) {
-        store_warn(import->out, "material '%s': opacity %g is ignored; it is drawn opaque", name, opacity);
+}
+
+/* Of glTF's modes OPAQUE does not look at alpha, and MASK shows all of a surface or nothing. */
+static bool is_opaque_mode(importer *import, const struct aiMaterial *material, const char *name, double opacity)
+{
+    struct aiString mode;
+    memset(&mode, 0, sizeof mode);
+    if (import->kind != FILE_GLTF ||
+        aiGetMaterialString(material, AI_MATKEY_GLTF_ALPHAMODE, &mode) != aiReturn_SUCCESS) {
+        return false;
     }
-    if (get_integer(material, AI_MATKEY_TWOSIDED, 0)) {
-        store_warn(import->out, "material '%s': its back faces are not drawn", name);
+    if (strcmp(mode.data, "MASK") == 0) {
+        double cutoff = 0.5;
+        get_number(material, AI_MATKEY_GLTF_ALPHACUTOFF, &cutoff);
+        store_warn(import->out, "material '%s': its alpha mask is ignored; all of it is drawn%s", name,
+                   opacity < cutoff ? ", though its alpha is below the cutoff" : "");
     }
+    return strcmp(mode.data, "BLEND") != 0;
+}
+
+static double limited_share(importer *import, const char *name, const char *part, double value)
+{
+    if (value < 0 || value > 1) {
+        store_warn(import->out, "material '%s': the %s %g is limited to 0 to 1", name, part, value);
+    }
+    return fmin(1, fmax(0, value));
+}
+
+static int read_transmission(importer *import, const struct aiMaterial *material, const char *name,
+                             float_material *values)
+{
+    double opacity = 1, transmission = 0;
+    get_number(material, AI_MATKEY_OPACITY, &opacity);
+    get_number(material, AI_MATKEY_TRANSMISSION_FACTOR, &transmission);
+    if (!isfinite(opacity) || !isfinite(transmission)) {
+        return fail(import, "material '%s': the %s is not finite; 0 to 1 expected", name,
+                    isfinite(opacity) ? "transmission" : "opacity");
+    }
+    if (is_opaque_mode(import, material, name, opacity)) {
+        opacity = 1;
+    }
+    opacity = limited_share(import, name, "opacity", opacity);
+    transmission = limited_share(import, name, "transmission", transmission);
+    if (!(opacity > 0)) {
+        store_warn(import->out, "material '%s': its opacity is 0, so that nothing of it is seen", name);
+    }
+    for (int k = 0; k < 3; k++) {
+        values->specular[k] *= opacity;
+    }
+    values->transmission = 1 - opacity * (1 - transmission);
+    return 0;
 }
 
 static void from_roughness(const struct aiMaterial *material, double roughness, float_material *result)
@@ -180,6 +230,9 @@ static int make_material(importer *import, const struct aiMaterial *material, gl
         from_phong(import, material, name, &values);
     }
     get_colour(material, AI_MATKEY_COLOR_EMISSIVE, values.emission);
+    if (read_transmission(import, material, name, &values)) {
+        return -1;
+    }
     if (make_texture(import, material, name, &result->texture)) {
         return -1;
     }
@@ -204,6 +257,8 @@ static int make_material(importer *import, const struct aiMaterial *material, gl
     }
     result->exponent_q4 = (uint16_t)to_fixed(exponent, 16, UINT16_MAX);
     result->specular_model = values.blinn ? GLINT_BLINN : GLINT_PHONG;
+    result->transmission_q14 = (uint16_t)to_fixed(values.transmission, FIXED_ONE_Q14, FIXED_ONE_Q14);
+    result->sides = get_integer(material, AI_MATKEY_TWOSIDED, 0) ? GLINT_TWO_SIDED : GLINT_FRONT_SIDE;
     return 0;
 }
 

@@ -164,6 +164,12 @@ static void write_material(FILE *file, const char *prefix, size_t number, const 
     write_colour(file, "    ", "emission", &material->emission);
     fprintf(file, "    .exponent_q4 = %u,\n    .specular_model = %s,\n", (unsigned)material->exponent_q4,
             material->specular_model == GLINT_BLINN ? "GLINT_BLINN" : "GLINT_PHONG");
+    if (material->sides != GLINT_FRONT_SIDE) {
+        fprintf(file, "    .sides = %s,\n", material->sides == GLINT_TWO_SIDED ? "GLINT_TWO_SIDED" : "GLINT_EACH_SIDE");
+    }
+    if (material->transmission_q14 != 0) {
+        fprintf(file, "    .transmission_q14 = %u,\n", (unsigned)material->transmission_q14);
+    }
     if (material->texture) {
         fprintf(file, "    .texture = &%s_texture_%zu,\n", prefix, number);
     }
@@ -234,7 +240,7 @@ static void write_objects(FILE *file, const glint_scene *scene, const char *pref
 
 static void write_attenuation(FILE *file, const glint_attenuation *a)
 {
-    if (a->unit_q16 == 0 && a->range_q16 == 0) {
+    if (a->range_q16 == 0 && (a->k_q14[0] | a->k_q14[1] | a->k_q14[2]) == 0) {
         return;
     }
     fprintf(file, "        .attenuation = {.k_q14 = {%u, %u, %u}, .unit_q16 = %lu, .range_q16 = %lu},\n",
