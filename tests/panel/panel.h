@@ -28,9 +28,8 @@ enum panel_signal { PANEL_SCK, PANEL_MOSI, PANEL_CS, PANEL_DC, PANEL_RESET, PANE
  * How the glass is wired to the controller, which differs between modules. panel_open() takes what is usual:
  *   ST7789   RGB, inverted: an IPS panel, whose colours are right with INVON
  *   ILI9341  BGR, not inverted: its colours are right with the BGR bit of MADCTL
- *   SSD0323  the module of the EK-LM3S6965 board, upright with the column remap and COM split bits of its re-map
- * command and a display offset of 68 SSD1306  upright with segment remap (A1) and COM scan from the end (C8), as nearly
- * every module
+ *   SSD0323  the EK-LM3S6965 board's: upright with COM remap, COM split and a display offset of 76
+ *   SSD1306  upright with segment remap (A1) and COM scan from the end (C8), as nearly every module
  */
 typedef struct panel_glass {
     uint16_t x_px, y_px;   /* where in the controller's memory the glass begins, as written without rotation */
