@@ -34,7 +34,7 @@ typedef struct options {
     uint64_t at_ns;
 } options;
 
-static _Noreturn void fail(const char *what, const char *which)
+__attribute__((noreturn)) static void fail(const char *what, const char *which)
 {
     (void)fprintf(stderr, "glint-panel-decode: %s%s%s\n", what, which ? ": " : "", which ? which : "");
     exit(2);

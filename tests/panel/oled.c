@@ -385,11 +385,12 @@ void oled_picture(const panel *p, uint8_t *rgb)
             const unsigned from = o->columns_reversed == p->glass.columns_reversed ? x : p->width_px - 1u - x;
             const unsigned column = from + p->glass.x_px;
             unsigned grey = 0;
-            if (driven && column < COLUMNS && o->show != SHOW_NONE) {
+            if (driven && column < COLUMNS && o->show == SHOW_MEMORY) {
                 grey = is_grey(p) ? (unsigned)o->memory[row][column / 2] >> (column % 2 ? 0 : 4) & 15
                                   : ((unsigned)o->memory[row / 8][column] >> row % 8 & 1) * 15;
-                grey = o->show == SHOW_ALL ? 15 : grey;
                 grey = o->inverted ? 15 - grey : grey;
+            } else if (driven && o->show == SHOW_ALL) {
+                grey = 15;
             }
             memset(rgb + ((size_t)y * p->width_px + x) * 3, (int)(grey * 17), 3);
         }
