@@ -186,6 +186,7 @@ include tools/make/test.mk
 include tools/make/target.mk
 include tools/make/emulate.mk
 include tools/make/cost.mk
+include tools/make/boards.mk
 include tools/make/fuzz.mk
 include tools/make/proofs.mk
 include tools/make/verify.mk
