@@ -45,3 +45,16 @@ run-boards: $(BOARDS:%=board-%) ## Run them with what is installed
 $(BOARDS:%=board-%): board-%: board-build-%
 	$(call run,RUN )rm -f $(B)/boards/$*/report.txt $(B)/boards/$*/*.ppm; \
 		examples/$*/run.sh $(B) || echo "$*: the run failed" >&2
+
+# What a board's panel has to show: its picture.c on the host. A board asks for it by naming its picture.c as what it
+# depends on.
+BOARD_HOST := $(call objects,tools/boards/host_picture.c examples/render/panel.c)
+$(B)/boards/%/host-picture: $(B)/obj/examples/%/picture.o $(BOARD_HOST) $(HOST_ARCHIVES)
+	@mkdir -p $(@D)
+	$(call run,LINK)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(OPTIONAL_LIBS) -lm
+
+$(B)/boards/shrink: $(call objects,tools/boards/shrink.c) $(HOST_ARCHIVES)
+	@mkdir -p $(@D)
+	$(call run,LINK)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(OPTIONAL_LIBS) -lm
+.SECONDARY: $(BOARDS:%=$(B)/obj/examples/%/picture.o)
+-include $(patsubst %.o,%.d,$(call objects,tools/boards/host_picture.c tools/boards/shrink.c))
