@@ -82,6 +82,7 @@ awk -v ticks=$instructions_per_tick -v hz=$clock_hz -v ssi=$ssi_hz -v text="$1" 
         print "emulator QEMU lm3s6965evb, instructions as cycles"
         printf "clock_mhz %d\n", hz / 1000000
         printf "frame_ms %.1f\ndraw_ms %.1f\nsend_ms %.1f\n", draw_ms + send_ms, draw_ms, send_ms
-        printf "flash_bytes %d\nram_bytes %d\nstack_bytes %d\nframe_bytes %d\nviolations -\n", text + data, data + bss,
-            stack, bytes
+        printf "flash_bytes %d\nram_bytes %d\nstack_bytes %d\nleft_bytes %d\n", text + data, data + bss, stack,
+            65536 - data - bss - stack
+        printf "frame_bytes %d\nviolations -\n", bytes
     }' "$folder/values.txt" >"$folder/report.txt"

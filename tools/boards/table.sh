@@ -14,6 +14,7 @@
 #     flash_bytes N      the whole program
 #     ram_bytes N        static: variables and the library's memory
 #     stack_bytes N      most that was used
+#     left_bytes N       RAM that neither of these took
 #     frame_bytes N      sent to the panel for a frame
 #     violations N       of the panel's data sheet, found by tests/panel
 #
@@ -46,9 +47,9 @@ compare() { # FOLDER
     fi
 }
 
-row='%-15s%-10s%8s%9s%9s%9s%7s%9s%8s%7s%8s%6s  %s\n'
+row='%-15s%-10s%9s%10s%9s%9s%5s%9s%8s%7s%8s%8s%11s  %s\n'
 # shellcheck disable=SC2059 # the row's format
-printf "$row" board pictures frames/s 'frame ms' 'drawing' 'sending' MHz flash RAM stack bytes viol. 'run on'
+printf "$row" board pictures frames/s 'frame ms' drawing sending MHz flash RAM stack left bytes forbidden 'run on'
 for board in "$@"; do
     folder=$build/boards/$board
     report=$folder/report.txt
@@ -66,12 +67,13 @@ for board in "$@"; do
     # shellcheck disable=SC2059
     printf "$row" "$board" "$pictures" "$fps" "$frame_ms" "$(value "$report" draw_ms)" "$(value "$report" send_ms)" \
         "$(value "$report" clock_mhz)" "$(value "$report" flash_bytes)" "$(value "$report" ram_bytes)" \
-        "$(value "$report" stack_bytes)" "$(value "$report" frame_bytes)" "$violations" "$(value "$report" emulator)"
+        "$(value "$report" stack_bytes)" "$(value "$report" left_bytes)" "$(value "$report" frame_bytes)" "$violations" "$(value "$report" emulator)"
 done
 cat <<'EOF'
 
 Pictures: those taken from the emulated panel that are the same bytes as what the host draws for that display. RAM is
-static, with the library's memory; stack is the most that was used; bytes are sent to the panel for a frame.
+static, with the library's memory; stack is the most that was used; left is what neither took; bytes are sent to the panel
+for a frame; forbidden is what tests/panel found against the panel's data sheet. A - is what a board's emulator does not tell.
 EOF
 [ $status -eq 0 ] || echo "FAILED: see above" >&2
 exit $status

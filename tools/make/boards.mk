@@ -51,7 +51,7 @@ $(BOARDS:%=board-%): board-%: board-build-%
 BOARD_HOST := $(call objects,tools/boards/host_picture.c examples/render/panel.c)
 $(B)/boards/%/host-picture: $(B)/obj/examples/%/picture.o $(BOARD_HOST) $(HOST_ARCHIVES)
 	@mkdir -p $(@D)
-	$(call run,LINK)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(OPTIONAL_LIBS) -lm
+	$(call run,LINK)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(HOST_ARCHIVES) $(OPTIONAL_LIBS) -lm
 
 $(B)/boards/shrink: $(call objects,tools/boards/shrink.c) $(HOST_ARCHIVES)
 	@mkdir -p $(@D)
