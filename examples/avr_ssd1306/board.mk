@@ -7,6 +7,7 @@ BOARDS += avr_ssd1306
 AVR_OLED := examples/avr_ssd1306
 AVR_OLED_SOURCES := $(wildcard $(AVR_OLED)/*.c) examples/panels/ssd1306.c
 TARGET_SOURCES += $(AVR_OLED_SOURCES)
+FOREIGN_SOURCES += $(filter-out %/picture.c,$(wildcard $(AVR_OLED)/*.c))
 
 # Speed first: 128 KB of flash are more than the model alone takes.
 AVR_OLED_FLAGS := -O2 -g -mcall-prologues -mrelax

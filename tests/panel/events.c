@@ -3,6 +3,7 @@
  * Event streams as text, see panel.h.
  */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "tests/panel/panel.h"
@@ -10,12 +11,10 @@
 /* A byte of two hexadecimal digits and nothing behind. */
 static bool hex_byte(const char *text, uint8_t *byte)
 {
-    unsigned value = 0;
-    int end = 0;
-    if (strlen(text) != 2 || sscanf(text, "%2x%n", &value, &end) != 1 || end != 2) {
+    if (strlen(text) != 2 || strspn(text, "0123456789abcdefABCDEF") != 2) {
         return false;
     }
-    *byte = (uint8_t)value;
+    *byte = (uint8_t)strtoul(text, NULL, 16);
     return true;
 }
 
@@ -40,12 +39,13 @@ bool panel_event(panel *p, const char *line)
         [PANEL_SCK] = "sck", [PANEL_MOSI] = "mosi",   [PANEL_CS] = "cs",
         [PANEL_DC] = "dc",   [PANEL_RESET] = "reset", [PANEL_BACKLIGHT] = "backlight",
     };
-    unsigned long long ns = 0;
     char kind[12] = "", value[8] = "", more = 0;
+    char *rest = NULL;
     if (line[0] == '#' || line[strspn(line, " \t\r")] == '\0') {
         return true;
     }
-    if (line[0] < '0' || line[0] > '9' || sscanf(line, "%llu %11s %7s %c", &ns, kind, value, &more) != 3) {
+    const uint64_t ns = strtoull(line, &rest, 10);
+    if (line[0] < '0' || line[0] > '9' || sscanf(rest, " %11s %7s %c", kind, value, &more) != 2) {
         return false;
     }
     if (strcmp(kind, "byte") == 0) {

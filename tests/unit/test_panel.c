@@ -149,13 +149,13 @@ static void commands_wait_for_reset(void **state)
 {
     (void)state;
     static const struct {
-        enum panel_kind kind;
         uint64_t wait_ns;
+        enum panel_kind kind;
         uint8_t nop;
-    } cases[] = {{PANEL_ST7789, 5 * MS, 0x00},
-                 {PANEL_ILI9341, 5 * MS, 0x00},
-                 {PANEL_SSD0323, 3 * US, 0xe3},
-                 {PANEL_SSD1306, 3 * US, 0xe3}};
+    } cases[] = {{5 * MS, PANEL_ST7789, 0x00},
+                 {5 * MS, PANEL_ILI9341, 0x00},
+                 {3 * US, PANEL_SSD0323, 0xe3},
+                 {3 * US, PANEL_SSD1306, 0xe3}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         for (uint64_t early = 0; early < 2; early++) {
             open_panel(cases[i].kind, 64, 64);

@@ -11,6 +11,7 @@
 #                could not do so, and names the package of an emulator that is missing.
 
 BOARDS :=
+TARGET_SOURCES += $(wildcard tools/boards/*.c)
 
 # A flavour of this Makefile for a board's processor: board, processor of target.mk or emulate.mk, its flags, targets.
 board_make = $(SUBMAKE) -s BOARD=$(1) B=$(B)/boards/$(1) CC=$($(2)_CC) AR=$(patsubst %gcc,%ar,$($(2)_CC)) \
@@ -58,3 +59,5 @@ $(B)/boards/shrink: $(call objects,tools/boards/shrink.c) $(HOST_ARCHIVES)
 	$(call run,LINK)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(OPTIONAL_LIBS) -lm
 .SECONDARY: $(BOARDS:%=$(B)/obj/examples/%/picture.o)
 -include $(patsubst %.o,%.d,$(call objects,tools/boards/host_picture.c tools/boards/shrink.c))
+
+$(B)/tests/unit/test_oled_drivers: $(call objects,examples/panels/ssd0323.c examples/panels/ssd1306.c)

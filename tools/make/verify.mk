@@ -43,7 +43,8 @@ format-check: ## All C files are as .clang-format wants them
 format: ## Format all C files
 	clang-format -i $(FORMATTED)
 
-TIDY_TARGETS := $(patsubst %,tidy/%,$(filter-out tests/target/%,$(CHECKED_SOURCES)))
+# FOREIGN_SOURCES include headers that only another processor's compiler has; its own warnings watch over them.
+TIDY_TARGETS := $(patsubst %,tidy/%,$(filter-out tests/target/% $(FOREIGN_SOURCES),$(CHECKED_SOURCES)))
 
 # In tests: the analyzer does not know that a cmocka assertion which fails does not return, so it follows NULL past it
 # (the sanitizers see the real thing); running a program through the shell is what a test of a tool does; whole indices
@@ -59,7 +60,7 @@ tidy_checks = $(if $(filter tests/%,$(1)),$(TIDY_TESTS))$(if $(filter src/backen
 tidy: $(TIDY_TARGETS) ## clang-tidy over library, tools, examples and tests
 $(TIDY_TARGETS): tidy/%: %
 	@echo "  TIDY  $<"
-	@clang-tidy --quiet $(addprefix --checks=,$(call tidy_checks,$<)) $< -- $(HOST_FLAGS) 2>$(B)/$(subst /,-,$*).tidy \
+	@clang-tidy --quiet $(addprefix --checks=,$(call tidy_checks,$<)) $< -- $(HOST_FLAGS) $(SIMAVR_FLAGS) 2>$(B)/$(subst /,-,$*).tidy \
 		|| { cat $(B)/$(subst /,-,$*).tidy; exit 1; }
 	@rm -f $(B)/$(subst /,-,$*).tidy
 $(TIDY_TARGETS): | $(B)/host-flags
@@ -74,7 +75,7 @@ cppcheck: ## cppcheck over library, tools, examples and tests
 		--cppcheck-build-dir=$(B)/cppcheck --suppress=missingIncludeSystem --suppress=preprocessorErrorDirective \
 		--suppress=ctuuninitvar \
 		--suppress=invalidPrintfArgType_sint --suppress=invalidPrintfArgType_uint \
-		-D__GNUC__ $(HOST_INCLUDES) $(filter-out tests/target/%,$(CHECKED_SOURCES))
+		-D__GNUC__ $(HOST_INCLUDES) $(filter-out tests/target/% $(FOREIGN_SOURCES),$(CHECKED_SOURCES))
 
 # Generated files are what their generators print today.
 .PHONY: generated-check
