@@ -2,8 +2,8 @@
 #
 # What stands beside the tests: sanitizers, the second compiler, static analysis, format, generated files.
 
-VERIFY_STAGES := format-check generated-check cppcheck tidy cross firmware-example size consumer-check hard-cases proofs \
-	bit-identical targets test-clang test-asan test-small-tables ranges fuzz-short boards
+VERIFY_STAGES := format-check generated-check cppcheck tidy cross firmware-example size consumer-check lvgl-check hard-cases \
+	proofs bit-identical targets test-clang test-asan test-small-tables ranges fuzz-short boards
 
 .PHONY: verify
 verify: ## Tests under sanitizers and with clang, static analysis, target processors, sizes; installs what is missing
@@ -95,3 +95,7 @@ consumer-check: ## A C and a C++ program build against the installed library thr
 	@rm -rf $(B)/install
 	@+$(SUBMAKE) install PREFIX=$(abspath $(B)/install)
 	@tools/check-consumer.sh $(abspath $(B)/install) tests/target/startup/consumer.c
+
+.PHONY: lvgl-check
+lvgl-check: ## The LVGL canvas example compiles against LVGL's headers, where cargo can fetch them
+	@tools/check-lvgl.sh $(B) $(CC) $(STRICT) -Iinclude -I.
