@@ -12,8 +12,12 @@ FOREIGN_SOURCES += $(filter-out %/picture.c,$(wildcard $(AVR_OLED)/*.c))
 # Speed first: 128 KB of flash are more than the model alone takes.
 AVR_OLED_FLAGS := -O2 -g -mcall-prologues -mrelax
 
-board-build-avr_ssd1306: $(B)/boards/avr_ssd1306/host-picture $(B)/boards/avr_ssd1306/simulate
+board-build-avr_ssd1306: avr_ssd1306-needs $(B)/boards/avr_ssd1306/host-picture $(B)/boards/avr_ssd1306/simulate
 	@+$(call board_make,avr_ssd1306,avr,$(AVR_OLED_FLAGS),$(B)/boards/avr_ssd1306/firmware.elf)
+
+.PHONY: avr_ssd1306-needs
+avr_ssd1306-needs:
+	@pkg-config --exists simavr || { echo "avr_ssd1306: libsimavr is missing (Debian: libsimavr-dev)" >&2; exit 1; }
 
 # Headers of simavr are not written to this project's warnings.
 SIMAVR_FLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags simavrparts simavr 2>/dev/null))

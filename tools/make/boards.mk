@@ -41,15 +41,17 @@ boards: ## The example boards on emulated hardware: pictures equal to the host's
 run-boards: $(BOARDS:%=board-%) ## Run them with what is installed
 	@tools/boards/table.sh $(B) $(BOARDS)
 
-# A run that fails leaves no report, so the table tells of it beside the others.
+# A board that cannot be built or run leaves no report, so the table tells of it beside the others. What boards share is
+# built before, so that two do not build it at once.
 .PHONY: $(BOARDS:%=board-%) $(BOARDS:%=board-build-%)
-$(BOARDS:%=board-%): board-%: board-build-%
-	$(call run,RUN )rm -f $(B)/boards/$*/report.txt $(B)/boards/$*/*.ppm; \
-		examples/$*/run.sh $(B) || echo "$*: the run failed" >&2
+$(BOARDS:%=board-%): board-%: | $(HOST_ARCHIVES)
+	@rm -f $(B)/boards/$*/report.txt $(B)/boards/$*/*.ppm
+	@+{ $(SUBMAKE) board-build-$* && echo "  RUN   $*" && examples/$*/run.sh $(B); } || echo "$*: FAILED" >&2
 
 # What a board's panel has to show: its picture.c on the host. A board asks for it by naming its picture.c as what it
 # depends on.
 BOARD_HOST := $(call objects,tools/boards/host_picture.c examples/render/panel.c)
+$(BOARDS:%=board-%): | $(BOARD_HOST)
 $(B)/boards/%/host-picture: $(B)/obj/examples/%/picture.o $(BOARD_HOST) $(HOST_ARCHIVES)
 	@mkdir -p $(@D)
 	$(call run,LINK)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(HOST_ARCHIVES) $(OPTIONAL_LIBS) -lm
