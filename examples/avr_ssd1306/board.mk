@@ -20,8 +20,8 @@ avr_ssd1306-needs:
 	@pkg-config --exists simavr || { echo "avr_ssd1306: libsimavr is missing (Debian: libsimavr-dev)" >&2; exit 1; }
 
 # Headers of simavr are not written to this project's warnings.
-SIMAVR_FLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags simavrparts simavr 2>/dev/null))
-SIMAVR_LIBS := $(shell pkg-config --libs simavrparts simavr 2>/dev/null) -lelf
+SIMAVR_FLAGS = $(patsubst -I%,-isystem %,$(shell pkg-config --cflags simavrparts simavr 2>/dev/null))
+SIMAVR_LIBS = $(shell pkg-config --libs simavrparts simavr 2>/dev/null) -lelf
 $(B)/obj/tools/boards/simulate_avr.o: HOST_FLAGS += $(SIMAVR_FLAGS)
 $(B)/boards/avr_ssd1306/simulate: $(call objects,tools/boards/simulate_avr.c) $(HOST_ARCHIVES)
 	@mkdir -p $(@D)
