@@ -10,7 +10,8 @@ folder=$build/boards/avr_ssd1306
 clock_hz=16000000
 limit_s=300
 
-if ! timeout $limit_s "$folder/simulate" "$folder/firmware.elf" "$folder" >"$folder/values.txt" 2>"$folder/errors.txt"; then
+if ! timeout $limit_s "$folder/simulate" "$folder/firmware.elf" "$folder" \
+    >"$folder/values.txt" 2>"$folder/errors.txt"; then
     echo "avr_ssd1306: the simulation failed; its last lines:" >&2
     tail -n 5 "$folder/values.txt" "$folder/errors.txt" >&2
     exit 1

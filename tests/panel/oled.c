@@ -27,7 +27,8 @@ const panel_limits panel_limits_ssd1306 = {100, 20, 20, 3 * PANEL_US, 3 * PANEL_
 
 /* clang-format off */
 const panel_command panel_commands_ssd0323[] = {
-    {0x15, 2, 2, "column address"}, {0x75, 2, 2, "row address"}, {0x81, 1, 1, "contrast"}, {0x84, 0, 0, "quarter current"},
+    {0x15, 2, 2, "column address"}, {0x75, 2, 2, "row address"}, {0x81, 1, 1, "contrast"},
+    {0x84, 0, 0, "quarter current"},
     {0x85, 0, 0, "half current"}, {0x86, 0, 0, "full current"}, {0xa0, 1, 1, "re-map"}, {0xa1, 1, 1, "start line"},
     {0xa2, 1, 1, "display offset"}, {0xa4, 0, 0, "normal display"}, {0xa5, 0, 0, "all on"}, {0xa6, 0, 0, "all off"},
     {0xa7, 0, 0, "inverse display"}, {0xa8, 1, 1, "multiplex ratio"}, {0xad, 1, 1, "DC-DC converter"},

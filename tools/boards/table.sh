@@ -67,13 +67,15 @@ for board in "$@"; do
     # shellcheck disable=SC2059
     printf "$row" "$board" "$pictures" "$fps" "$frame_ms" "$(value "$report" draw_ms)" "$(value "$report" send_ms)" \
         "$(value "$report" clock_mhz)" "$(value "$report" flash_bytes)" "$(value "$report" ram_bytes)" \
-        "$(value "$report" stack_bytes)" "$(value "$report" left_bytes)" "$(value "$report" frame_bytes)" "$violations" "$(value "$report" emulator)"
+        "$(value "$report" stack_bytes)" "$(value "$report" left_bytes)" "$(value "$report" frame_bytes)" \
+        "$violations" "$(value "$report" emulator)"
 done
 cat <<'EOF'
 
 Pictures: those taken from the emulated panel that are the same bytes as what the host draws for that display. RAM is
-static, with the library's memory; stack is the most that was used; left is what neither took; bytes are sent to the panel
-for a frame; forbidden is what tests/panel found against the panel's data sheet. A - is what a board's emulator does not tell.
+static, with the library's memory; stack is the most that was used; left is what neither took; bytes are sent to the
+panel for a frame; forbidden is what tests/panel found against the panel's data sheet. A - is what a board's emulator
+does not tell.
 EOF
 [ $status -eq 0 ] || echo "FAILED: see above" >&2
 exit $status
