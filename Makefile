@@ -50,7 +50,7 @@ rwildcard = $(foreach entry,$(wildcard $(1)/*),$(call rwildcard,$(entry),$(2)) $
 
 LIBRARY_SOURCES := $(sort $(call rwildcard,src,%.c))
 SCENE_SOURCES := $(sort $(wildcard examples/meshes/*.c examples/textures/*.c examples/scenes/*.c))
-HOST_SOURCES := $(sort $(wildcard tests/reference/*.c tools/picture/*.c tools/import/*.c))
+HOST_SOURCES := $(sort $(wildcard tests/reference/*.c tests/panel/*.c tools/picture/*.c tools/import/*.c))
 RENDER_SOURCES := $(sort $(wildcard examples/render/*.c))
 OBSERVED_SOURCES := src/backend/fixed.c src/backend/float.c
 TOOL_SOURCES := $(sort $(wildcard tools/*.c))
@@ -201,6 +201,7 @@ include tools/make/target.mk
 include tools/make/emulate.mk
 include tools/make/cost.mk
 include tools/make/effects.mk
+include tools/make/boards.mk
 include tools/make/fuzz.mk
 include tools/make/proofs.mk
 include tools/make/verify.mk

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Installs what the tests, the checks or the emulated targets need and the system does not have:
-# tools/install-packages.sh test|verify|targets|cost|coverage|fuzz|proofs
+# tools/install-packages.sh test|verify|targets|cost|coverage|fuzz|proofs|boards
 #
 # Each need is probed (a command that runs, a header and library that link), so nothing is asked of the package manager
 # when all is there. Says what it installs and why. Runs as root or with a sudo that asks for no password; without
@@ -11,9 +11,9 @@ set -eu
 
 stage=${1:-}
 case $stage in
-test | verify | targets | cost | coverage | fuzz | proofs) ;;
+test | verify | targets | cost | coverage | fuzz | proofs | boards) ;;
 *)
-    echo "usage: tools/install-packages.sh test|verify|targets|cost|coverage|fuzz|proofs" >&2
+    echo "usage: tools/install-packages.sh test|verify|targets|cost|coverage|fuzz|proofs|boards" >&2
     exit 2
     ;;
 esac
@@ -111,12 +111,15 @@ clang_runtime() {
     echo "libclang-rt-${version:+$version-}dev"
 }
 
-# The processors that both `make cross` and `make targets` compile for.
-needs_cross() {
+# The processors that `make cross`, `make targets`, `make cost` and `make boards` compile for.
+needs_arm() {
     need "has_target arm-none-eabi-gcc -mcpu=cortex-m0plus\ -mthumb string.h" "Cortex-M compiler and C library" \
         "gcc-arm-none-eabi libnewlib-arm-none-eabi" "arm-none-eabi-gcc-cs arm-none-eabi-newlib" \
         "arm-none-eabi-gcc arm-none-eabi-newlib" "gcc-arm-none-eabi newlib-arm-none-eabi" \
         "cross-arm-none-gcc12 cross-arm-none-newlib-devel" arm-none-eabi-gcc
+}
+
+needs_riscv() {
     # The compiler comes with its C library on most systems; Debian has picolibc beside it.
     riscv_flags="-march=rv32imac\\ -mabi=ilp32"
     if has_command riscv64-unknown-elf-gcc && [ -f "$(riscv64-unknown-elf-gcc -print-file-name=picolibc.specs)" ]; then
@@ -126,8 +129,17 @@ needs_cross() {
         gcc-riscv64-unknown-elf riscv64-elf-gcc riscv64-elf-gcc gcc-riscv-none-elf cross-riscv64-elf-gcc12 riscv64-elf-gcc
     need "has_target riscv64-unknown-elf-gcc $riscv_flags string.h" "RISC-V C library" \
         picolibc-riscv64-unknown-elf - riscv64-elf-newlib newlib-riscv-none-elf - -
+}
+
+needs_avr() {
     need "has_target avr-gcc -mmcu=atmega1284p avr/pgmspace.h" "AVR compiler and C library" \
         "gcc-avr avr-libc" "avr-gcc avr-libc" "avr-gcc avr-libc" "gcc-avr avr-libc" "cross-avr-gcc12 avr-libc" avr-gcc
+}
+
+needs_cross() {
+    needs_arm
+    needs_riscv
+    needs_avr
 }
 
 needs_targets() {
@@ -162,6 +174,19 @@ needs_cost() {
     need "has_command simavr" "AVR emulator" simavr simavr - - - simavr
     need "has_command node" "runs the RP2040 emulator" nodejs nodejs nodejs nodejs nodejs node
     need "has_command npm" "gets the RP2040 emulator, rp2040js" npm nodejs-npm npm npm npm node
+}
+
+needs_boards() {
+    need "has_compiler $cc c" "compiles for the host" "gcc libc6-dev" gcc gcc "gcc musl-dev" gcc gcc
+    need "has_command bash" "runs the emulators" bash bash bash bash bash bash
+    need "has_command pkg-config" "finds the libraries" pkg-config pkgconf-pkg-config pkgconf pkgconf pkg-config pkg-config
+    needs_arm
+    needs_avr
+    need "has_command qemu-system-arm" "emulates the LM3S6965 with its OLED" \
+        qemu-system-arm qemu-system-arm-core qemu-system-arm qemu-system-arm qemu-arm qemu
+    need "has_library simavr sim_avr.h" "emulates the ATmega1284P with its OLED" libsimavr-dev simavr-devel - - - simavr
+    need "has_library libelf libelf.h" "simavr reads firmware with it" \
+        libelf-dev elfutils-libelf-devel libelf elfutils-dev libelf-devel -
 }
 
 manager=
