@@ -23,7 +23,7 @@
 #define ST7789_MEMORY_HEIGHT_PX 320
 
 /* From st7789_begin(): the glass reaches beyond the controller's memory. A board's errors are to be other numbers. */
-#define ST7789_ERROR_GLASS 7789
+#define ST7789_ERROR_GLASS (-7789)
 
 /* How the picture lies on the glass, turned clockwise; with quarter turns its width is the glass's height. */
 enum { ST7789_UPRIGHT = 0, ST7789_TURNED_90 = 1, ST7789_TURNED_180 = 2, ST7789_TURNED_270 = 3 };
@@ -40,7 +40,7 @@ typedef struct st7789 {
 /* Resets and wakes the controller, sets format and orientation; the display stays off. Takes a quarter of a second. */
 int st7789_begin(const st7789 *panel);
 
-/* Opens the window of the picture's pixels that the next data fill, row by row, again from its start when it is full. */
+/* Opens the window of the picture's pixels that the next data fill, row by row, again from the start when full. */
 int st7789_window(const st7789 *panel, uint16_t x_px, uint16_t y_px, uint16_t width_px, uint16_t height_px);
 
 /* Turns the display on, with what its memory holds. */

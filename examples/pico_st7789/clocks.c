@@ -20,7 +20,8 @@ typedef char assert_pll[CLK_REF_HZ / PLL_REFDIV * PLL_FBDIV / PLL_POSTDIV1 / PLL
 
 #define TICK_CYCLES (CLK_REF_HZ / 1000000)
 
-/* Each of what is waited for takes a few ms at most; this is a second or so at the ring oscillator's clock, 1.8..12 MHz. */
+/* Each of what is waited for takes a few ms at most; this is a second or so at the ring oscillator's clock, 1.8..12
+ * MHz. */
 #define MOST_POLLS UINT32_C(500000)
 
 static bool come(const volatile uint32_t *status, uint32_t bits)

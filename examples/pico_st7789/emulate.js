@@ -3,6 +3,7 @@
 // Boots a UF2 file on the RP2040 of rp2040js (npm) as a Raspberry Pi Pico would, and writes what the panel's wires do:
 //
 //     node emulate.js FOLDER PICO.uf2 --frames N --events FILE     FOLDER holds node_modules/rp2040js
+//     ... --hot BYTES --elf PICO.elf          and prints the lines of hot_code.ld, functions of so many bytes
 //
 // It ends when the firmware has told of N frames, and prints what that told over the UART, lines of a name and a value,
 // with figures of the flash's cache behind them. The events are those of tests/panel/panel.h.
@@ -13,13 +14,14 @@
 //     them before; that the flash can be read only as boot2.S has set up the SSI; that pins carry what their function is;
 //   - time: the processor's clock is what the firmware has set; SPI0 takes its bits' time for a byte, in mode 0 and 2
 //     one bit more; DMA requests follow its FIFO;
-//   - the flash's cache: 16 KB, two ways, lines of 8 bytes (data sheet, 2.6.3); a miss waits for two reads of 32 bits.
+//   - the flash's cache: 16 KB, two ways, lines of 8 bytes (data sheet, 2.6.3) that are filled by one read of 32 bits.
 // Not modelled: contention on the bus between processor and DMA, cycles of interrupt entry, analogue start-up times.
 'use strict';
 
 const fs = require('fs');
 const path = require('path');
 const zlib = require('zlib');
+const { spawnSync } = require('child_process');
 
 const FLASH_START = 0x10000000, FLASH_END = 0x14000000, FLASH_BYTES = 2 * 1024 * 1024; // W25Q16JV
 const BOOT2_AT = 0x20041f00, BOOT2_BYTES = 256;
@@ -45,10 +47,10 @@ function parseArguments() {
     if (!file || !options['--events'] || !(frames > 0)) {
         fail('usage: node emulate.js FOLDER PICO.uf2 --frames N --events FILE');
     }
-    return { folder, file, frames, events: options['--events'] };
+    return { folder, file, frames, events: options['--events'], hot: Number(options['--hot']), elf: options['--elf'] };
 }
 
-const { folder, file, frames, events } = parseArguments();
+const { folder, file, frames, events, hot, elf } = parseArguments();
 let RP2040;
 try {
     ({ RP2040 } = require(path.resolve(folder, 'node_modules/rp2040js')));
@@ -118,7 +120,7 @@ function bootRom(rp2040) {
 // All blocks are in reset but those that the boot ROM reads the flash with.
 function watchResets(rp2040) {
     const blocks = { 0x50000: 2, 0x40014: 5, 0x4001c: 8, 0x40028: 12, 0x4003c: 16, 0x40054: 21, 0x40034: 22 };
-    const OUT = (1 << 6) | (1 << 9), RESET = 0, RESET_DONE = 8;
+    const OUT = (1 << 6) | (1 << 9), RESET_DONE = 8;
     const resets = rp2040.peripherals[0x4000c], read = resets.readUint32.bind(resets);
     resets.reset = 0x1ffffff & ~OUT;
     resets.readUint32 = (offset) => (offset === RESET_DONE ? ~resets.reset & 0x1ffffff : read(offset));
@@ -134,7 +136,6 @@ function watchResets(rp2040) {
             };
         }
     }
-    return { RESET };
 }
 
 // The timer counts ticks that the watchdog makes of clk_ref.
@@ -155,10 +156,10 @@ function watchTimer(rp2040) {
     };
 }
 
-// What boot2.S makes of the SSI is held against the plain serial read when the flash is first read.
+// What boot2.S makes of the SSI is held against the plain serial read at each read of the flash; returns its cycles.
 function watchFlash(rp2040) {
     const ssi = rp2040.peripherals[0x18000], write = ssi.writeUint32.bind(ssi);
-    const SER = 0x10;
+    const SER = 0x10, MOST_HZ = 50e6, READ_CLOCKS = 8 + 24 + 32;
     let selected = 0;
     ssi.writeUint32 = (offset, value) => {
         if (offset !== 8 && ssi.ssienr & 1) {
@@ -180,34 +181,33 @@ function watchFlash(rp2040) {
         if (selected !== 1 || ssi.baudr < 2 || ssi.baudr % 2 !== 0) {
             fail(`the flash is read with the SSI's SER ${selected} and BAUDR ${ssi.baudr}`);
         }
-        return { baudr: ssi.baudr, mostHz: 50e6 };
+        if (rp2040.clkSys / ssi.baudr > MOST_HZ) {
+            fail(`the flash is clocked at ${rp2040.clkSys / ssi.baudr} Hz, more than its plain read takes`);
+        }
+        return READ_CLOCKS * ssi.baudr;
     };
 }
 
 // Counts accesses and misses; the caller takes the cycles that they cost.
 function addCache(rp2040, checkFlash) {
-    const SETS = 1024, READ_CLOCKS = 8 + 24 + 32;
-    const tags = [new Int32Array(SETS).fill(-1), new Int32Array(SETS).fill(-1)], older = new Uint8Array(SETS);
+    const SETS = 1024;
+    const lines = [new Int32Array(SETS).fill(-1), new Int32Array(SETS).fill(-1)];
+    const halves = [new Uint8Array(SETS), new Uint8Array(SETS)], older = new Uint8Array(SETS);
     const cache = { accesses: 0, misses: 0, stall: 0 };
-    let ssi;
     const look = (address) => {
-        const line = (address & 0xffffff) >>> 3, set = line % SETS;
+        const line = (address & 0xffffff) >>> 3, set = line % SETS, half = address & 4 ? 2 : 1;
         cache.accesses++;
-        if (tags[0][set] === line) {
-            older[set] = 1;
-        } else if (tags[1][set] === line) {
-            older[set] = 0;
-        } else {
-            if (ssi === undefined || rp2040.clkSys / ssi.baudr > ssi.mostHz) {
-                ssi = checkFlash();
-                if (rp2040.clkSys / ssi.baudr > ssi.mostHz) {
-                    fail(`the flash is clocked at ${rp2040.clkSys / ssi.baudr} Hz, more than its plain read takes`);
-                }
-            }
-            tags[older[set]][set] = line;
-            older[set] ^= 1;
+        let way = lines[0][set] === line ? 0 : lines[1][set] === line ? 1 : -1;
+        if (way < 0) {
+            way = older[set];
+            lines[way][set] = line;
+            halves[way][set] = 0;
+        }
+        older[set] = 1 - way;
+        if (!(halves[way][set] & half)) {
+            halves[way][set] |= half;
             cache.misses++;
-            cache.stall += 2 * READ_CLOCKS * ssi.baudr;
+            cache.stall += checkFlash();
         }
     };
     for (const access of ['readUint32', 'readUint16', 'readUint8']) {
@@ -308,6 +308,41 @@ function attachUart(rp2040) {
     };
 }
 
+// ------------------------------------------------------------------------------------------------- what belongs in RAM
+
+// Executed instructions of the frames by address, and from them the functions that earn their bytes best.
+function countInstructions() {
+    const counts = new Map();
+    return {
+        add(address) {
+            counts.set(address, (counts.get(address) || 0) + 1);
+        },
+        print() {
+            const nm = spawnSync('arm-none-eabi-nm', ['-S', elf], { encoding: 'latin1' });
+            if (nm.status !== 0) {
+                fail(`arm-none-eabi-nm: ${nm.error ? nm.error.message : nm.stderr}`);
+            }
+            const functions = nm.stdout.split('\n').map((line) => line.split(' '))
+                .filter((words) => words.length === 4 && /^[tT]$/.test(words[2]) && !words[3].startsWith('_'))
+                .map(([address, bytes, , name]) => ({ name, address: parseInt(address, 16), bytes: parseInt(bytes, 16) }));
+            for (const f of functions) {
+                f.executed = 0;
+                for (let address = f.address; address < f.address + f.bytes; address += 2) {
+                    f.executed += counts.get(address) || 0;
+                }
+            }
+            let left = hot;
+            for (const { name, bytes, executed } of functions.sort((a, b) => b.executed / b.bytes - a.executed / a.bytes)) {
+                if (executed > 0 && bytes <= left) {
+                    left -= bytes;
+                    const written = name.replace(/\..*/, ''); // .isra.0, .part.0: the compiler's
+                    console.log(`*(.text.${written} .text.${written}.*)`);
+                }
+            }
+        },
+    };
+}
+
 // -------------------------------------------------------------------------------------------------------------- the run
 
 const rp2040 = new RP2040();
@@ -325,7 +360,8 @@ watchTimer(rp2040);
 bootRom(rp2040);
 const cache = addCache(rp2040, watchFlash(rp2040));
 
-let instructions = 0, beforeLast = { ...cache };
+const counter = hot > 0 ? countInstructions() : null;
+let instructions = 0;
 while (framesTold < frames) {
     if (rp2040.core.waiting) {
         if (rp2040.clock.nextAlarm === null) {
@@ -333,6 +369,9 @@ while (framesTold < frames) {
         }
         rp2040.clock.tick(rp2040.clock.nanosToNextAlarm);
     } else {
+        if (counter && framesTold > 0) {
+            counter.add(rp2040.core.PC);
+        }
         const cycles = rp2040.core.executeInstruction() + cache.stall;
         cache.stall = 0;
         instructions++;
@@ -343,6 +382,10 @@ while (framesTold < frames) {
     }
 }
 stream.close();
+if (counter) {
+    counter.print();
+    process.exit(0);
+}
 console.log(told.join('\n'));
 console.log(`clk_sys_hz ${rp2040.clkSys}`);
 console.log(`instructions ${instructions}`);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A Raspberry Pi Pico draws a turning torus knot on an ST7789 panel of 240x240 pixels. One band is sent by DMA while the
- * next is drawn.
+ * A Raspberry Pi Pico draws a turning torus knot on an ST7789 panel of 240x240 pixels. One band is sent by DMA while
+ * the next is drawn.
  *
  * Before the panel lights up it measures what a frame costs: drawn without being sent; sent without being drawn; drawn
  * and sent in turn; and both at once, as it goes on to do. The figures go to the UART as lines of a name and a value,
@@ -11,33 +11,26 @@
 
 #include <glint/glint.h>
 
+#include "examples/firmware/picture.h"
 #include "examples/panels/st7789.h"
 #include "examples/pico_st7789/clocks.h"
 #include "examples/pico_st7789/pico_panel.h"
-#include "examples/pico_st7789/scene.h"
+#include "examples/pico_st7789/picture_size.h"
 #include "examples/pico_st7789/startup.h"
 #include "examples/pico_st7789/uart.h"
-#include "examples/scenes/scenes.h"
 
-#define BAND_PX 8
-#define BUFFERS 2
-#define FRAME_BYTES (GLINT_ROW_BYTES(PANEL_FORMAT, PANEL_WIDTH_PX) * PANEL_HEIGHT_PX)
-#define BAND_BYTES (GLINT_ROW_BYTES(PANEL_FORMAT, PANEL_WIDTH_PX) * BAND_PX)
+#define BAND_BYTES (GLINT_ROW_BYTES(PICTURE_FORMAT, PICTURE_WIDTH_PX) * PICTURE_BAND_PX)
+#define FRAME_BYTES (GLINT_ROW_BYTES(PICTURE_FORMAT, PICTURE_WIDTH_PX) * PICTURE_HEIGHT_PX)
 
 /* 16 ns a bit, the least that the ST7789's data sheet asks for; and an eighth of it, for wires too long for that. */
 #define SPI_HZ UINT32_C(62500000)
 #define SLOW_SPI_HZ (SPI_HZ / 8)
 
-#define STEP_TURN16 512 /* 128 frames a turn */
+static uint32_t
+    memory[GLINT_MEMORY_WORDS(PICTURE_WIDTH_PX, PICTURE_HEIGHT_PX, PICTURE_BAND_PX, PICTURE_FORMAT, PICTURE_BUFFERS,
+                              PICTURE_VERTICES, PICTURE_TRIANGLES, PICTURE_OBJECTS, PICTURE_LIGHTS)];
 
-/* Beside what the library asks for: pixels of the gold's shades by brightness, and triangles kept from band to band. */
-#define KEPT_TRIANGLES 8
-static uint32_t memory[GLINT_MEMORY_WORDS(PANEL_WIDTH_PX, PANEL_HEIGHT_PX, BAND_PX, PANEL_FORMAT, BUFFERS,
-                                          GOLD_KNOT_VERTICES, GOLD_KNOT_TRIANGLES, GOLD_KNOT_OBJECTS,
-                                          GOLD_KNOT_LIGHTS) +
-                       GLINT_RAMP_WORDS * GOLD_KNOT_OBJECTS + GLINT_KEPT_WORDS * KEPT_TRIANGLES];
-
-static const st7789 panel = {.port = &pico_panel_port, .width_px = PANEL_WIDTH_PX, .height_px = PANEL_HEIGHT_PX};
+static const st7789 panel = {.port = &pico_panel_port, .width_px = PICTURE_WIDTH_PX, .height_px = PICTURE_HEIGHT_PX};
 static glint_transfers transfers;
 
 static void transfer_done(void *context)
@@ -50,7 +43,7 @@ static int send_band(const glint_band *band)
 {
     int error = 0;
     if (band->y_px == 0) { /* one window for the frame: a band goes on where the one before ended */
-        error = st7789_window(&panel, 0, 0, band->width_px, PANEL_HEIGHT_PX);
+        error = st7789_window(&panel, 0, 0, band->width_px, PICTURE_HEIGHT_PX);
     }
     return error ? error : pico_panel_send(band->pixels, band->bytes, transfer_done, &transfers);
 }
@@ -83,30 +76,23 @@ static void sleep_until_sent(void *context)
     pico_panel_wait();
 }
 
-static int draw(uint16_t angle_turn16, glint_flush flush, uint32_t *us)
+static int draw(uint16_t frame, glint_flush flush, uint32_t *us)
 {
-    const glint_display display = {.width_px = PANEL_WIDTH_PX,
-                                   .height_px = PANEL_HEIGHT_PX,
-                                   .band_px = BAND_PX,
-                                   .format = PANEL_FORMAT,
-                                   .buffer_count = BUFFERS,
-                                   .flush = flush,
-                                   .transfers = &transfers,
-                                   .wait = sleep_until_sent};
+    glint_display display = picture_display;
+    display.flush = flush;
+    display.transfers = &transfers;
+    display.wait = sleep_until_sent;
     const uint32_t start_us = time_us();
-    glint_object objects[GOLD_KNOT_OBJECTS];
-    glint_scene scene;
-    int error = demo_scene_turn(&gold_knot, angle_turn16, objects, &scene);
-    error = error ? error : glint_fixed_render(&scene, &display, &gold_knot_quality, memory, sizeof memory, NULL);
+    const int error = picture_draw(frame, &display, memory, sizeof memory, NULL);
     *us = time_us() - start_us;
     return error;
 }
 
-/* Sends the start of the memory again and again: black, before the first frame. */
-static int blacken(uint32_t *us)
+/* As many bytes as a frame has, whatever they are: the display is still off. */
+static int send_only(uint32_t *us)
 {
     const uint32_t start_us = time_us();
-    int error = st7789_window(&panel, 0, 0, PANEL_WIDTH_PX, PANEL_HEIGHT_PX);
+    int error = st7789_window(&panel, 0, 0, PICTURE_WIDTH_PX, PICTURE_HEIGHT_PX);
     for (uint32_t sent = 0; sent < FRAME_BYTES && error == 0; sent += BAND_BYTES) {
         error = pico_panel_send(memory, BAND_BYTES, NULL, NULL);
     }
@@ -120,16 +106,16 @@ static int measure(uint32_t spi_hz)
 {
     uint32_t sending_us = 0, drawing_us = 0, in_turn_us = 0, at_once_us = 0;
     pico_panel_set_speed(spi_hz);
-    int error = blacken(&sending_us);
+    int error = send_only(&sending_us);
     error = error ? error : draw(0, send_nothing, &drawing_us);
     error = error ? error : draw(0, send_in_turn, &in_turn_us);
     error = error ? error : draw(0, send_at_once, &at_once_us);
     if (error == 0) {
-        uart_value("spi_khz", (int32_t)(spi_hz / 1000));
-        uart_value("sending_us", (int32_t)sending_us);
-        uart_value("drawing_us", (int32_t)drawing_us);
-        uart_value("in_turn_us", (int32_t)in_turn_us);
-        uart_value("at_once_us", (int32_t)at_once_us);
+        uart_value("spi_khz", spi_hz / 1000);
+        uart_value("sending_us", sending_us);
+        uart_value("drawing_us", drawing_us);
+        uart_value("in_turn_us", in_turn_us);
+        uart_value("at_once_us", at_once_us);
     }
     return error;
 }
@@ -142,26 +128,25 @@ static int begin(void)
     error = error ? error : st7789_show(&panel);
     if (error == 0) {
         pico_panel_backlight(true);
-        uart_value("flash_bytes", (int32_t)flash_used_bytes());
-        uart_value("ram_bytes", (int32_t)ram_used_bytes());
-        uart_value("stack_bytes", (int32_t)stack_used_bytes());
+        uart_value("flash_bytes", flash_used_bytes());
+        uart_value("ram_bytes", ram_used_bytes());
+        uart_value("stack_bytes", stack_used_bytes());
     }
     return error;
 }
 
-/* Until something fails. */
+/* Until something fails. The lines fit the UART's FIFO, so that they cost no time. */
 static int animate(void)
 {
-    int error = 0;
-    for (uint16_t angle_turn16 = STEP_TURN16; error == 0; angle_turn16 = (uint16_t)(angle_turn16 + STEP_TURN16)) {
-        uint32_t us;
-        error = draw(angle_turn16, send_at_once, &us);
-        if (error == 0) { /* within the UART's FIFO, so that it costs no time */
-            uart_value("turn16", angle_turn16);
-            uart_value("frame_us", (int32_t)us);
+    for (uint16_t frame = 1;; frame = (uint16_t)((frame + 1) % picture_frames)) {
+        uint32_t us = 0;
+        const int error = draw(frame, send_at_once, &us);
+        if (error) {
+            return error;
         }
+        uart_value("frame", frame);
+        uart_value("frame_us", us);
     }
-    return error;
 }
 
 static const char *error_text(int error)
@@ -189,7 +174,8 @@ int main(void)
     error = error ? error : begin();
     error = error ? error : animate();
     pico_panel_backlight(false);
-    uart_value("error", error);
+    uart_text("error ");
     uart_text(error_text(error));
+    uart_text("\r\n");
     stop();
 }

@@ -16,7 +16,8 @@
 /* The DMA could not read the pixels or write to SPI0. The transfer has ended, the band is not whole. */
 enum { PICO_PANEL_ERROR_DMA = 10 };
 
-/* For the panel's driver. Its calls wait for a transfer under way, and return PICO_PANEL_ERROR_DMA if one has failed. */
+/* For the panel's driver. Its calls wait for a transfer under way, and return PICO_PANEL_ERROR_DMA if one has failed.
+ */
 extern const panel_port pico_panel_port;
 
 /* Pins, SPI0 at `spi_hz` or the next speed below, at most 62.5 MHz, and DMA. Returns 0 or CLOCKS_ERROR_RESET. */
@@ -25,8 +26,8 @@ int pico_panel_begin(uint32_t spi_hz);
 /* Another speed, between transfers. */
 void pico_panel_set_speed(uint32_t spi_hz);
 
-/* Starts to send pixels, behind the command that takes them, as soon as the transfer before has ended, and returns. They
- * stay as they are until done(context) is called, from an interrupt; `done` may be NULL. Returns 0, or
+/* Starts to send pixels, behind the command that takes them, as soon as the transfer before has ended, and returns.
+ * They stay as they are until done(context) is called, from an interrupt; `done` may be NULL. Returns 0, or
  * PICO_PANEL_ERROR_DMA once after a transfer has failed; nothing is started then. */
 int pico_panel_send(const void *pixels, uint32_t bytes, void (*done)(void *context), void *context);
 

@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-#define REGISTER(address) (*(volatile uint32_t *)(address))
+#define REGISTER(address) (*(volatile uint32_t *)(uintptr_t)(address))
 
 /* 2.1.2: aliases of each register, but for those of SIO and the processor, that set or clear bits in one write. */
 #define REGISTER_SET(name) REGISTER((uintptr_t)(&(name)) + 0x2000u)

@@ -4,6 +4,7 @@
  */
 #include "examples/pico_st7789/uart.h"
 
+#include "examples/firmware/decimal.h"
 #include "examples/pico_st7789/clocks.h"
 #include "examples/pico_st7789/rp2040.h"
 
@@ -12,8 +13,6 @@
 
 /* clk_peri / (16 x baud) in 1/64: 67 52/64, within 0.01 % */
 #define DIVISOR_64 ((CLK_PERI_HZ * 8 / BAUD + 1) / 2)
-
-#define MOST_DIGITS 10
 
 int uart_begin(void)
 {
@@ -43,23 +42,11 @@ void uart_text(const char *text)
     }
 }
 
-static void number(uint32_t value)
+void uart_value(const char *name, uint32_t value)
 {
-    char digits[MOST_DIGITS];
-    int count = 0;
-    do {
-        digits[count++] = (char)('0' + value % 10);
-        value /= 10;
-    } while (value > 0);
-    while (count > 0) {
-        put(digits[--count]);
-    }
-}
-
-void uart_value(const char *name, int32_t value)
-{
+    char text[DECIMAL_CHARS];
     uart_text(name);
-    uart_text(value < 0 ? " -" : " ");
-    number(value < 0 ? 0u - (uint32_t)value : (uint32_t)value);
+    put(' ');
+    uart_text(decimal(value, text));
     uart_text("\r\n");
 }

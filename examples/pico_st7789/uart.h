@@ -13,6 +13,6 @@ int uart_begin(void); /* returns 0 or CLOCKS_ERROR_RESET */
 void uart_text(const char *text);
 
 /* "name value", and the end of the line. */
-void uart_value(const char *name, int32_t value);
+void uart_value(const char *name, uint32_t value);
 
 #endif
