@@ -361,7 +361,7 @@ bootRom(rp2040);
 const cache = addCache(rp2040, watchFlash(rp2040));
 
 const counter = hot > 0 ? countInstructions() : null;
-let instructions = 0;
+let instructions = 0, stalledCycles = 0, frameEnded = 0, frameStalled = 0;
 while (framesTold < frames) {
     if (rp2040.core.waiting) {
         if (rp2040.clock.nextAlarm === null) {
@@ -373,9 +373,15 @@ while (framesTold < frames) {
             counter.add(rp2040.core.PC);
         }
         const cycles = rp2040.core.executeInstruction() + cache.stall;
+        stalledCycles += cache.stall;
         cache.stall = 0;
         instructions++;
         rp2040.clock.tick(cycles * 1e9 / rp2040.clkSys);
+    }
+    if (framesTold > frameEnded) {
+        frameEnded = framesTold;
+        frameStalled = stalledCycles;
+        stalledCycles = 0;
     }
     if (rp2040.clock.nanos > MOST_SECONDS * 1e9) {
         fail(`not ended after ${MOST_SECONDS} s; the firmware has told:\n${told.join('\n')}`);
@@ -389,5 +395,6 @@ if (counter) {
 console.log(told.join('\n'));
 console.log(`clk_sys_hz ${rp2040.clkSys}`);
 console.log(`instructions ${instructions}`);
+console.log(`frame_stalled_us ${Math.round(frameStalled * 1e6 / rp2040.clkSys)}`); // of the last frame, for the cache
 console.log(`cache_accesses ${cache.accesses}`);
 console.log(`cache_misses ${cache.misses}`);

@@ -82,11 +82,12 @@ void stop(void)
 
 uint32_t stack_used_bytes(void)
 {
+    const uintptr_t top = (uintptr_t)link_stack_top;
     const volatile uint32_t *word = link_stack_bottom;
-    while (word < link_stack_top && *word == STACK_PAINT) {
+    while ((uintptr_t)word < top && *word == STACK_PAINT) {
         word++;
     }
-    return (uint32_t)((uintptr_t)link_stack_top - (uintptr_t)word);
+    return (uint32_t)(top - (uintptr_t)word);
 }
 
 uint32_t flash_used_bytes(void)
