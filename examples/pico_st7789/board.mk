@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Raspberry Pi Pico: firmware.uf2 for its USB drive, firmware.bin (the same, for a debug probe), host-picture for what its
-# panel has to show.
+# Raspberry Pi Pico: firmware.uf2 for its USB drive, firmware.bin (the same, for a debug probe), host-picture for what
+# its panel has to show.
 
 BOARDS += pico_st7789
 PICO := examples/pico_st7789

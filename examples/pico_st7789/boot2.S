@@ -4,9 +4,10 @@
  * CRC-32 in the last four (tools/pico-uf2 puts it there) and calls them, with the flash readable only by commands. Here
  * the flash is made readable at 0x10000000, and the program behind these bytes is entered through its vector table.
  *
- * Each access to the flash becomes the plain serial read 03h: 8 bits of command, 24 of address, 32 of data, on one wire.
- * Every flash of this kind knows it, at up to 50 MHz (W25Q16JV, on the Pico), and without dummy cycles or modes that a
- * reset of the processor alone would leave the flash in. The 16 KB cache before it hides most of its slowness.
+ * Each access to the flash becomes the plain serial read 03h: 8 bits of command, 24 of address, 32 of data, on one
+ * wire. Every flash of this kind knows it, at up to 50 MHz (W25Q16JV, on the Pico), without dummy cycles, and without
+ * modes that a reset of the processor alone would leave the flash in. It is slow: the 16 KB cache before it and code in
+ * RAM (hot_code.ld) keep most reads from it.
  *
  * RP2040 data sheet: 2.8.1 (boot), 4.10.13 (SSI registers), 2.6.3 (execute in place).
  */

@@ -11,7 +11,7 @@
 // rp2040js executes the processor with the cycles of each instruction, and models the blocks. What stands here is
 //   - the boot ROM: takes the file as its USB drive does, checks the second stage's checksum, by zlib, and calls it;
 //   - that blocks are in reset, clocks off and the timer without tick until the firmware changes it: it must not use
-//     them before; that the flash can be read only as boot2.S has set up the SSI; that pins carry what their function is;
+//     them before; that the flash is read only as boot2.S has set up the SSI; that pins carry what their function is;
 //   - time: the processor's clock is what the firmware has set; SPI0 takes its bits' time for a byte, in mode 0 and 2
 //     one bit more; DMA requests follow its FIFO;
 //   - the flash's cache: 16 KB, two ways, lines of 8 bytes (data sheet, 2.6.3) that are filled by one read of 32 bits.
@@ -76,7 +76,8 @@ function loadUf2(flash) {
         if (word(8) !== 0x2000 || word(28) !== 0xe48bff56) {
             wrong(i, 'is not of the RP2040 family');
         }
-        if (bytes !== 256 || address % 256 !== 0 || address < FLASH_START || address + 256 > FLASH_START + FLASH_BYTES) {
+        const inFlash = address >= FLASH_START && address + 256 <= FLASH_START + FLASH_BYTES;
+        if (bytes !== 256 || address % 256 !== 0 || !inFlash) {
             wrong(i, `is for ${bytes} bytes at ${hex(address)}`);
         }
         if (count !== uf2.length / 512 || number >= count || seen.has(number)) {
@@ -172,7 +173,9 @@ function watchFlash(rp2040) {
         }
     };
     return () => {
-        const wanted = { ssienr: 1, crtlr0: (31 << 16) | (3 << 8), crtlr1: 0, spictlr0: (3 << 24) | (2 << 8) | (6 << 2) };
+        const wanted = { // enabled; 32 bits of data, read after what is written; one frame; 03h, 8 bits, 24 of address
+            ssienr: 1, crtlr0: (31 << 16) | (3 << 8), crtlr1: 0, spictlr0: (3 << 24) | (2 << 8) | (6 << 2),
+        };
         for (const [register, value] of Object.entries(wanted)) {
             if (ssi[register] !== value) {
                 fail(`the flash is read with the SSI's ${register} ${hex(ssi[register])}, not ${hex(value)}`);
@@ -324,7 +327,8 @@ function countInstructions() {
             }
             const functions = nm.stdout.split('\n').map((line) => line.split(' '))
                 .filter((words) => words.length === 4 && /^[tT]$/.test(words[2]) && !words[3].startsWith('_'))
-                .map(([address, bytes, , name]) => ({ name, address: parseInt(address, 16), bytes: parseInt(bytes, 16) }));
+                .map(([address, bytes, , name]) =>
+                    ({ name, address: parseInt(address, 16), bytes: parseInt(bytes, 16) }));
             for (const f of functions) {
                 f.executed = 0;
                 for (let address = f.address; address < f.address + f.bytes; address += 2) {
@@ -332,7 +336,8 @@ function countInstructions() {
                 }
             }
             let left = hot;
-            for (const { name, bytes, executed } of functions.sort((a, b) => b.executed / b.bytes - a.executed / a.bytes)) {
+            functions.sort((a, b) => b.executed / b.bytes - a.executed / a.bytes);
+            for (const { name, bytes, executed } of functions) {
                 if (executed > 0 && bytes <= left) {
                     left -= bytes;
                     const written = name.replace(/\..*/, ''); // .isra.0, .part.0: the compiler's
@@ -343,7 +348,7 @@ function countInstructions() {
     };
 }
 
-// -------------------------------------------------------------------------------------------------------------- the run
+// ------------------------------------------------------------------------------------------------------------- the run
 
 const rp2040 = new RP2040();
 const stop = (name, message) => fail(`${name}: ${message}, at ${hex(rp2040.core.PC)}`);
