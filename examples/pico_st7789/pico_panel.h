@@ -2,7 +2,7 @@
 /*
  * The wires to the panel: SPI0 in mode 3, with pixels fed to it by DMA channel 0. README.md has the pins.
  *
- * Mode 3, because the SPI block then sends one byte behind the other; in mode 0 it rests for a clock and a half between
+ * Mode 3, because the SPI block then sends one byte behind the other; in mode 0 it rests between
  * them. Panels without a select line want mode 3 as well.
  */
 #ifndef EXAMPLES_PICO_ST7789_PICO_PANEL_H
