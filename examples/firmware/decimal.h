@@ -12,7 +12,7 @@
 /* Writes the digits and a closing 0 to the end of `text`; returns where they begin. */
 static inline const char *decimal(uint32_t value, char text[DECIMAL_CHARS])
 {
-    char *digit = text + DECIMAL_CHARS - 1;
+    char *digit = &text[DECIMAL_CHARS - 1];
     *digit = '\0';
     do {
         *--digit = (char)('0' + value % 10);
