@@ -28,7 +28,8 @@ extern const glint_mesh glint_mesh_teapot;       /* 3,648 triangles */
 extern const glint_mesh glint_mesh_teapot_small; /* 928 triangles */
 
 /* A tube of radius 0.22 along the (2,3) torus knot about the z axis, 1.72 about the origin. */
-extern const glint_mesh glint_mesh_torus_knot; /* 2,304 triangles */
+extern const glint_mesh glint_mesh_torus_knot;       /* 2,304 triangles */
+extern const glint_mesh glint_mesh_torus_knot_small; /* 1,280 triangles */
 
 /* The box from (-1,-1,-1) to (1,1,1), with hard edges. */
 extern const glint_mesh glint_mesh_box;

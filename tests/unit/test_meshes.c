@@ -33,6 +33,7 @@ static const expected meshes[] = {
     {"sphere_32x16", &glint_mesh_sphere_32x16, 960, 0},
     {"sphere_64x32", &glint_mesh_sphere_64x32, 3968, 0},
     {"torus_knot", &glint_mesh_torus_knot, 2304, 0},
+    {"torus_knot_small", &glint_mesh_torus_knot_small, 1280, 0},
     {"box", &glint_mesh_box, 12, 0},
     {"bowl", &glint_mesh_bowl, 480, 32},
     {"teapot", &glint_mesh_teapot, 3648, 4 * 2 * 8},

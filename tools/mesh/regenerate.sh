@@ -31,6 +31,7 @@ mesh bowl bowl 32 8
 mesh teapot teapot 8
 mesh teapot_small teapot 4
 mesh torus_knot torus-knot 2 3 96 12
+mesh torus_knot_small torus-knot 2 3 64 10
 mesh box box
 mesh plane plane 8
 mesh globe_32x16 globe 32 16
