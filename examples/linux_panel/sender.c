@@ -18,7 +18,7 @@ static void *run(void *context)
             break;
         }
         const sender_job job = s->jobs[s->done % SENDER_SLOTS];
-        if (s->result == 0) {
+        if (s->result == 0 && job.bytes > 0) {
             failure why = {""};
             (void)pthread_mutex_unlock(&s->lock);
             const uint64_t start_ns = clock_ns();
