@@ -188,5 +188,4 @@ include tools/make/emulate.mk
 include tools/make/cost.mk
 include tools/make/fuzz.mk
 include tools/make/proofs.mk
-include tools/make/linux_panel.mk
 include tools/make/verify.mk

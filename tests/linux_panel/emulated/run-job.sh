@@ -4,21 +4,23 @@
 # Runs glint-panel on an emulated arm64 board under Debian's kernel, with a real libgpiod and spidev, and listens to the
 # board's GPIO lines:
 #
-#     tests/linux_panel/emulated/run.sh BUILD JOB GPIOD CONTROLLER WxH
+#     tests/linux_panel/emulated/run-job.sh BUILD JOB GPIOD CONTROLLER WxH [X,Y [DEGREES]]
 #
-# BUILD is the build folder of the host's tools (the arm64 programs are in BUILD/arm64), JOB one of press, stop,
-# failures, GPIOD 1 or 2. Prints lines "name value"; what was sent, and the pictures, stay in BUILD/linux_panel/. Status
-# 1 if something is not as it should be, after a line that begins with "wrong".
+# BUILD is the build folder of the host's tools (the arm64 programs are in BUILD/boards/linux_panel/arm64), JOB one of
+# press, stop, failures, GPIOD 1 or 2; then the panel's size, its offset and rotation. Prints lines "name value", leaves
+# pictures in BUILD/boards/linux_panel (CONTROLLER-WHEN.panel.ppm beside .host.ppm), and all it saw in a folder of the
+# job there. Status 1 if something is not as it should be, after a line that begins with "wrong".
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 build=$(cd "$1" && pwd)
-job=$2 gpiod=$3 controller=$4 size=$5
+job=$2 gpiod=$3 controller=$4 size=$5 offset=${6:-0,0} rotation=${7:-0}
 scene=${SCENE:-teapot}
-decoder=${DECODER:-$build/glint-panel-decode}
 limit_s=${LIMIT_S:-300}
-name=linux_${controller}_${job}
-work=$build/linux_panel/$job-$controller-gpiod$gpiod
-root=$build/arm64/root
+folder=$build/boards/linux_panel
+name=${job}_${controller}_gpiod$gpiod
+work=$folder/$name
+arm64=$folder/arm64
+root=$arm64/root
 wrong=0
 
 say() {
@@ -33,15 +35,17 @@ wrong() {
 # ----------------------------------------------------------------------------------------------------------- the machine
 
 rm -rf "$work"
-mkdir -p "$work"/initramfs/{bin,dev,proc,sys,tmp,etc,lib} "$work/pictures"
-cp "$here/init" "$build/arm64/glint-panel-gpiod$gpiod" "$work/initramfs/"
-mv "$work/initramfs/glint-panel-gpiod$gpiod" "$work/initramfs/glint-panel"
+mkdir -p "$work"/initramfs/{bin,dev,proc,sys,tmp,etc,lib}
+cp "$here/init" "$work/initramfs/"
+cp "$arm64/glint-panel-gpiod$gpiod" "$work/initramfs/glint-panel"
 cp "$root/bin/busybox" "$root/usr/bin/gpioinfo" "$root/usr/bin/gpioset" "$work/initramfs/bin/"
 cp "$root"/lib/modules/*/kernel/drivers/spi/spi-{gpio,bitbang}.ko "$work/initramfs/"
 cp -L "$root"/lib/ld-linux-aarch64.so.1 "$root"/lib/aarch64-linux-gnu/{libc,libm}.so.6 \
     "$root"/usr/lib/aarch64-linux-gnu/libgpiod.so.2 "$work/initramfs/lib/"
 {
-    echo "PROGRAM='$scene --controller $controller --size $size --dc DC --reset RESET --backlight BACKLIGHT'"
+    printf "PROGRAM='%s --controller %s --size %s --offset %s --rotate %s" \
+        "$scene" "$controller" "$size" "$offset" "$rotation"
+    echo " --dc DC --reset RESET --backlight BACKLIGHT'"
     cat "$here/job-$job"
 } >"$work/initramfs/job"
 (cd "$work/initramfs" && find . | cpio --quiet -o -H newc) >"$work/initramfs.cpio"
@@ -77,7 +81,7 @@ while IFS= read -r line; do
     printf '%s\n' "$line" >>"$work/console.log"
     if [ -n "$file" ]; then
         if [ "$line" = END ]; then
-            base64 -d "$work/file" | gunzip >"$work/pictures/$file"
+            base64 -d "$work/file" | gunzip >"$work/$file"
             file=
         else
             printf '%s\n' "$line" >>"$work/file"
@@ -112,21 +116,27 @@ say lines_released "$free"
 
 # ---------------------------------------------------------------------------------------------------------- what was sent
 
-# decode NAME OPTIONS: the picture that the panel shows, and the protocol's violations.
+# decode FILE OPTIONS: the picture that the panel shows, upright, and the protocol's violations.
 decode() {
     local picture=$1
     shift
-    "$decoder" --controller "$controller" --size "$size" -o "$work/pictures/$picture" "$@" <"$work/events" \
-        >"$work/decoded" || true
+    "$build/glint-panel-decode" --controller "$controller" --size "$size" --offset "$offset" \
+        --turned $(((360 - rotation) % 360)) -o "$picture" "$@" >"$work/decoded" || true
 }
 
-# expect NAME TURN: the picture that the library draws on the host.
+# expect FILE TURN: the picture that the library draws on the host.
 expect() {
-    "$build/glint-render" "$scene" --size "$size" --format rgb565 --tolerance 1 --turn "$2" -o "$work/pictures/$1"
+    local upright=$size
+    [ $((rotation % 180)) -eq 0 ] || upright=${size#*x}x${size%x*}
+    "$build/glint-render" "$scene" --size "$upright" --format rgb565 --tolerance 1 --turn "$2" -o "$1"
 }
 
 same() {
-    cmp -s "$work/pictures/$1" "$work/pictures/$2" || wrong "$1 and $2 differ"
+    cmp -s "$1" "$2" || wrong "$1 and $2 differ"
+}
+
+differ() {
+    ! cmp -s "$1" "$2" || wrong "$1 and $2 are the same"
 }
 
 count() {
@@ -140,33 +150,52 @@ check_violations() {
     say bytes "$(count bytes)"
 }
 
-if [ "$job" = press ]; then
-    expect expected-1.ppm 0
-    expect expected-2.ppm 22.5
-    decode panel-1.ppm --at "$shown"
-    decode panel-2.ppm
-    check_violations
-    for frame in 1 2; do
-        same "panel-$frame.ppm" "expected-$frame.ppm"
-        same "frame-$frame.ppm" "expected-$frame.ppm"
+pictures=$folder/$controller
+case $job in
+press)
+    for moment in before after; do
+        rm -f "$pictures-$moment".*.ppm
     done
-    ! cmp -s "$work/pictures/expected-1.ppm" "$work/pictures/expected-2.ppm" || wrong "the press changes nothing"
-    sed -n "s/^frame/${name}_frame/p" "$work/output"
-elif [ "$job" = stop ]; then
-    expect expected-1.ppm 0
-    expect expected-2.ppm 2.8125
-    decode panel-stopping.ppm --at "$stopping"
-    decode panel-end.ppm
+    expect "$pictures-before.host.ppm" 0
+    expect "$pictures-after.host.ppm" 22.5
+    awk -v end="$shown" '$1 <= end' "$work/events" | decode "$pictures-before.panel.ppm"
+    say first_frame_bytes "$(count bytes)"
+    decode "$pictures-after.panel.ppm" <"$work/events"
+    check_violations
+    differ "$pictures-before.host.ppm" "$pictures-after.host.ppm"
+    same "$pictures-before.panel.ppm" "$pictures-before.host.ppm"
+    same "$pictures-after.panel.ppm" "$pictures-after.host.ppm"
+    same "$work/frame-1.ppm" "$pictures-before.host.ppm" # what --dump wrote
+    same "$work/frame-2.ppm" "$pictures-after.host.ppm"
+    # of the emulation, not of a board: bit-banging every edge through it takes a hundred times as long
+    sed -nE "s/^frame ([0-9]+): .* drawn in ([0-9.]+) ms, ([0-9]+) of .* sent in ([0-9.]+) ms, .*/\
+${name}_frame_\1_draw_ms \2\n${name}_frame_\1_bands_sent \3\n${name}_frame_\1_send_ms \4/p" "$work/output"
+    ;;
+stop)
+    expect "$work/expected-1.ppm" 0
+    expect "$work/expected-2.ppm" 2.8125
+    decode "$work/stopping.ppm" --at "$stopping" <"$work/events"
+    decode "$work/end.ppm" <"$work/events"
     check_violations
     # in mid-frame: the second frame down to some pixel, from there on still the first
-    at=$({ cmp "$work"/pictures/{panel-stopping,expected-2}.ppm || true; } | awk '{ sub(",", "", $5); print $5 }')
+    at=$({ cmp "$work/stopping.ppm" "$work/expected-2.ppm" || true; } | sed 's/.*byte \([0-9]*\),.*/\1/')
     [ -n "$at" ] || wrong "the second frame was complete when the signal came"
-    cmp -s -i $((${at:-1} - 1)) "$work"/pictures/{panel-stopping,expected-1}.ppm || wrong "neither frame 1 nor 2"
-    ! cmp -s "$work"/pictures/{panel-stopping,expected-1}.ppm || wrong "nothing of the second frame was sent"
-    [ "$(tail -c +16 "$work/pictures/panel-end.ppm" | tr -d '\0' | wc -c)" -eq 0 ] || wrong "the panel is not dark"
-    say frame_2_sent_percent $((100 * ${at:-1} / $(wc -c <"$work/pictures/expected-1.ppm")))
-elif [ "$job" = failures ]; then
-    cat "$work/failures"
-fi
+    cmp -s -i $((${at:-1} - 1)) "$work/stopping.ppm" "$work/expected-1.ppm" || wrong "neither frame 1 nor 2 was shown"
+    differ "$work/stopping.ppm" "$work/expected-1.ppm"
+    [ "$(tail -c +16 "$work/end.ppm" | tr -d '\0' | wc -c)" -eq 0 ] || wrong "the panel is not dark at the end"
+    say frame_2_percent_at_signal $((100 * ${at:-1} / $(wc -c <"$work/expected-1.ppm")))
+    ;;
+failures)
+    while read -r what expected pattern; do
+        line=$(grep "^$what " "$work/failures" || true)
+        # shellcheck disable=SC2053,SC2254 # a pattern
+        case $line in
+        "$what $expected "$pattern) say "$what" told ;;
+        *) wrong "$what: expected $expected $pattern, got: ${line:-nothing}" ;;
+        esac
+    done < <(grep -v '^#' "$here/failures.txt")
+    ;;
+esac
+# trace and memory disk are large, and of use only to find what was wrong
 [ "$wrong" -ne 0 ] || rm -f "$work/events" "$work/initramfs.cpio"
 exit "$wrong"
