@@ -100,5 +100,41 @@ linux-panel-arm64: $(LINUX_PANEL_ARM64)/kernel $(GPIOD2_TREE)/include/gpiod.h
 .PHONY: board-build-linux_panel
 board-build-linux_panel: linux-panel-arm64 $(B)/pl061-events $(B)/glint-panel-decode $(B)/glint-render
 
--include $(patsubst %.o,%.d,$(call objects,$(LINUX_PANEL_MAIN) $(LINUX_PANEL_SOURCES)) $(call gpiod_objects,1) \
-	$(call gpiod_objects,2))
+# ----------------------------------------------------------------------------------------------------------- the tests
+
+# A board of fakes stands behind libgpiod and behind the system's calls: the linker puts it there.
+GPIOD1_WRAPPED := chip_num_lines chip_get_line chip_find_line line_update line_consumer line_request line_set_value \
+	line_event_get_fd line_event_read line_release
+GPIOD2_WRAPPED := chip_get_info chip_info_free chip_info_get_num_lines chip_get_line_offset_from_name chip_get_line_info \
+	line_info_get_consumer line_info_free line_settings_new line_settings_free line_settings_set_direction \
+	line_settings_set_edge_detection line_settings_set_bias line_settings_set_active_low \
+	line_settings_set_output_value line_config_new line_config_free line_config_add_line_settings \
+	request_config_new request_config_free request_config_set_consumer chip_request_lines line_request_release \
+	line_request_set_value line_request_get_fd edge_event_buffer_new edge_event_buffer_free \
+	line_request_read_edge_events edge_event_buffer_get_event edge_event_get_event_type edge_event_get_timestamp_ns
+SYSTEM_WRAPPED := open close ioctl fopen stat getgrgid glob globfree clock_gettime clock_nanosleep ppoll pthread_create \
+	calloc malloc
+wrap_all = $(patsubst %,-Wl$(comma)--wrap=%,$(SYSTEM_WRAPPED) $(patsubst %,gpiod_%,chip_open chip_close $(GPIOD$(1)_WRAPPED)))
+comma := ,
+
+LINUX_PANEL_FAKES := $(addprefix $(LINUX_PANEL_TESTS)/,fake_board.c fake_system.c expected.c)
+LINUX_PANEL_TEST_SOURCES := $(addprefix $(LINUX_PANEL_TESTS)/,test_gpio.c test_parts.c test_program.c test_spi.c)
+LINUX_PANEL_GPIOD_TESTS := $(foreach version,1 2,$(patsubst %.c,$(B)/%-gpiod$(version),$(LINUX_PANEL_TEST_SOURCES)))
+
+$(LINUX_PANEL_GPIOD_TESTS): $(call objects,$(LINUX_PANEL_SOURCES) $(LINUX_PANEL_FAKES)) $(HOST_ARCHIVES)
+	@mkdir -p $(@D)
+	$(call run,LINK)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(HOST_ARCHIVES) \
+		$(call wrap_all,$(patsubst %-gpiod1,1,$(patsubst %-gpiod2,2,$(notdir $@)))) $(TEST_LIBS) $(LINUX_PANEL_LIBS)
+define linux_panel_tests # version of libgpiod
+$(filter %-gpiod$(1),$(LINUX_PANEL_GPIOD_TESTS)): $(B)/%-gpiod$(1): $(B)/obj/%.o \
+	$(call gpiod_objects,$(1),$(addprefix $(LINUX_PANEL_TESTS)/,fake_gpiod.c fake_gpiod_v$(1).c))
+endef
+$(eval $(call linux_panel_tests,1))
+$(eval $(call linux_panel_tests,2))
+
+.PHONY: test-linux-panel
+test-linux-panel: $(LINUX_PANEL_GPIOD_TESTS) ## Tests of glint-panel's parts and of the whole program, on a board of fakes
+	@tools/check-tests.sh $(JOBS) $(LINUX_PANEL_GPIOD_TESTS)
+
+-include $(patsubst %.o,%.d,$(call objects,$(LINUX_PANEL_MAIN) $(LINUX_PANEL_SOURCES) $(LINUX_PANEL_FAKES) \
+	$(LINUX_PANEL_TEST_SOURCES)) $(call gpiod_objects,1) $(call gpiod_objects,2))

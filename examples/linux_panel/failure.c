@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <sys/stat.h>
 
-int fail(failure *f, const char *format, ...)
+int fail_with(failure *f, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -23,11 +23,13 @@ int fail_permission(failure *f, const char *path)
         group = getgrgid(device.st_gid);
     }
     if (group == NULL) {
-        return fail(f,
-                    "%s: no permission, and no group of users has it: run as root, or give the device to a group with "
-                    "a udev rule (see README.md)",
-                    path);
+        return fail_with(
+            f,
+            "%s: no permission, and no group of users has it: run as root, or give the device to a group with "
+            "a udev rule (see README.md)",
+            path);
     }
-    return fail(f, "%s: no permission: join the group that has it with `sudo usermod -aG %s $USER`, then log in again",
-                path, group->gr_name);
+    return fail_with(
+        f, "%s: no permission: join the group that has it with `sudo usermod -aG %s $USER`, then log in again", path,
+        group->gr_name);
 }

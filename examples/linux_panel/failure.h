@@ -12,7 +12,7 @@ typedef struct failure {
 } failure;
 
 /* Writes the sentence; always -1, so that a function can return it. */
-int fail(failure *f, const char *format, ...) __attribute__((format(printf, 2, 3)));
+int fail_with(failure *f, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /*
  * The device at `path` could not be opened for want of permission. Names the group to join, if the device belongs to

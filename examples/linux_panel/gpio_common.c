@@ -51,14 +51,15 @@ static int fail_chip(failure *f, const char *path, int error)
     case ENOTTY:
         list_chips(chips, sizeof chips);
         if (chips[0] == '\0') {
-            return fail(f,
-                        "%s: no such GPIO chip, nor any other: this kernel has no GPIO character devices "
-                        "(CONFIG_GPIO_CDEV), or no driver for the board's chip",
-                        path);
+            return fail_with(f,
+                             "%s: no such GPIO chip, nor any other: this kernel has no GPIO character devices "
+                             "(CONFIG_GPIO_CDEV), or no driver for the board's chip",
+                             path);
         }
-        return fail(f, "%s: no such GPIO chip; give --chip one of:%s (gpiodetect tells what they are)", path, chips);
+        return fail_with(f, "%s: no such GPIO chip; give --chip one of:%s (gpiodetect tells what they are)", path,
+                         chips);
     default:
-        return fail(f, "%s: cannot open the GPIO chip: %s", path, strerror(error));
+        return fail_with(f, "%s: cannot open the GPIO chip: %s", path, strerror(error));
     }
 }
 
@@ -66,7 +67,7 @@ gpio_chip *gpio_chip_open(const char *name, failure *f)
 {
     gpio_chip *chip = calloc(1, sizeof *chip);
     if (chip == NULL) {
-        (void)fail(f, "out of memory");
+        (void)fail_with(f, "out of memory");
         return NULL;
     }
     const char *folder = strchr(name, '/') != NULL ? "" : all_digits(name) ? "/dev/gpiochip" : "/dev/";
@@ -93,11 +94,11 @@ int gpio_fail_no_line(failure *f, const gpio_chip *chip, const char *line, unsig
 {
     unsigned number = 0;
     if (gpio_line_number(line, &number)) {
-        return fail(f, "line %s: %s has lines 0..%u only; `gpioinfo` lists them with their names", line, chip->path,
-                    lines - 1);
+        return fail_with(f, "line %s: %s has lines 0..%u only; `gpioinfo` lists them with their names", line,
+                         chip->path, lines - 1);
     }
-    return fail(f, "line \"%s\": no line of %s has this name; `gpioinfo` lists them; a number does as well", line,
-                chip->path);
+    return fail_with(f, "line \"%s\": no line of %s has this name; `gpioinfo` lists them; a number does as well", line,
+                     chip->path);
 }
 
 int gpio_fail_request(failure *f, const gpio_chip *chip, const char *line, int error, const char *consumer)
@@ -105,29 +106,32 @@ int gpio_fail_request(failure *f, const gpio_chip *chip, const char *line, int e
     switch (error) {
     case EBUSY:
         if (consumer == NULL || *consumer == '\0') {
-            return fail(f,
-                        "line %s of %s is in use by the kernel or a program that gives no name: choose another line, "
-                        "or free it (see `gpioinfo` and the board's device tree overlays)",
-                        line, chip->path);
+            return fail_with(
+                f,
+                "line %s of %s is in use by the kernel or a program that gives no name: choose another line, "
+                "or free it (see `gpioinfo` and the board's device tree overlays)",
+                line, chip->path);
         }
         if (strcmp(consumer, GPIO_CONSUMER) == 0) {
-            return fail(f,
-                        "line %s of %s is in use by another " GPIO_CONSUMER ": end that one first, or do not give a "
-                        "line twice",
-                        line, chip->path);
+            return fail_with(f,
+                             "line %s of %s is in use by another " GPIO_CONSUMER
+                             ": end that one first, or do not give a "
+                             "line twice",
+                             line, chip->path);
         }
-        return fail(f, "line %s of %s is in use by \"%s\": end that, or choose another line (`gpioinfo` lists them)",
-                    line, chip->path, consumer);
+        return fail_with(f,
+                         "line %s of %s is in use by \"%s\": end that, or choose another line (`gpioinfo` lists them)",
+                         line, chip->path, consumer);
     case EACCES:
     case EPERM:
-        return fail(f, "line %s of %s: no permission to use it: the kernel reserves it; choose another line", line,
-                    chip->path);
+        return fail_with(f, "line %s of %s: no permission to use it: the kernel reserves it; choose another line", line,
+                         chip->path);
     default:
-        return fail(f, "line %s of %s: the request failed: %s", line, chip->path, strerror(error));
+        return fail_with(f, "line %s of %s: the request failed: %s", line, chip->path, strerror(error));
     }
 }
 
 int gpio_fail_use(failure *f, const char *line, const char *what, int error)
 {
-    return fail(f, "line %s: cannot %s it: %s; was its chip unplugged?", line, what, strerror(error));
+    return fail_with(f, "line %s: cannot %s it: %s; was its chip unplugged?", line, what, strerror(error));
 }

@@ -38,7 +38,7 @@ static gpio_line *request(gpio_chip *chip, const char *name, int type, int flags
     const struct gpiod_line_request_config config = {.consumer = GPIO_CONSUMER, .request_type = type, .flags = flags};
     gpio_line *line = calloc(1, sizeof *line);
     if (line == NULL) {
-        (void)fail(f, "out of memory");
+        (void)fail_with(f, "out of memory");
         return NULL;
     }
     line->name = name;

@@ -57,7 +57,7 @@ static gpio_line *request(gpio_chip *chip, const char *name, struct gpiod_line_s
     struct gpiod_request_config *config = gpiod_request_config_new();
     gpio_line *line = calloc(1, sizeof *line);
     if (settings == NULL || lines == NULL || config == NULL || line == NULL) {
-        (void)fail(f, "out of memory");
+        (void)fail_with(f, "out of memory");
     } else if (find_line(chip, name, &line->offset, f) == 0) {
         line->name = name;
         gpiod_request_config_set_consumer(config, GPIO_CONSUMER);
@@ -104,7 +104,7 @@ gpio_line *gpio_button(gpio_chip *chip, const char *name, bool to_ground, failur
     }
     line->edges = gpiod_edge_event_buffer_new(1);
     if (line->edges == NULL) {
-        (void)fail(f, "out of memory");
+        (void)fail_with(f, "out of memory");
         gpio_release(line);
         return NULL;
     }

@@ -102,7 +102,7 @@ static int parse_number(const char *name, const char *text, unsigned long least,
     unsigned long number = 0;
     const char *at = text;
     if (!read_number(&at, '\0', least, most, &number)) {
-        return fail(f, "--%s %s: expected a whole number, %lu..%lu", name, text, least, most);
+        return fail_with(f, "--%s %s: expected a whole number, %lu..%lu", name, text, least, most);
     }
     *out = (uint32_t)number;
     return 0;
@@ -125,7 +125,7 @@ static int parse_rotation(const char *text, uint8_t *quarter_turns, failure *f)
 {
     uint32_t degrees = 0;
     if (parse_number("rotate", text, 0, 270, &degrees, f) != 0 || degrees % 90 != 0) {
-        return fail(f, "--rotate %s: expected 0, 90, 180 or 270 degrees", text);
+        return fail_with(f, "--rotate %s: expected 0, 90, 180 or 270 degrees", text);
     }
     *quarter_turns = (uint8_t)(degrees / 90);
     return 0;
@@ -144,8 +144,8 @@ static int parse_tolerance(const char *text, uint8_t *out, failure *f)
     const double codes = strtod(text, &end);
     if (end == text || *end != '\0' || text[strspn(text, "0123456789.")] != '\0' || !(codes >= least) ||
         !(codes <= most)) {
-        return fail(f, "--tolerance %s: expected codes of 1/255 of a channel, %g..%g, or the word exact", text, least,
-                    most);
+        return fail_with(f, "--tolerance %s: expected codes of 1/255 of a channel, %g..%g, or the word exact", text,
+                         least, most);
     }
     *out = (uint8_t)lround(codes * TOLERANCE_UNITS);
     return 0;
@@ -154,7 +154,7 @@ static int parse_tolerance(const char *text, uint8_t *out, failure *f)
 static int parse_button(const char *text, options *o, failure *f)
 {
     if (o->button_count == BUTTONS_MOST) {
-        return fail(f, "--button %s: there are %d already, more have no meaning", text, BUTTONS_MOST);
+        return fail_with(f, "--button %s: there are %d already, more have no meaning", text, BUTTONS_MOST);
     }
     o->buttons[o->button_count++] = text;
     return 0;
@@ -165,7 +165,7 @@ static int parse_option(int option, const char *value, options *o, failure *f)
     switch (option) {
     case OPTION_CONTROLLER:
         o->controller = screen_controller_named(value);
-        return o->controller != NULL ? 0 : fail(f, "--controller %s: expected st7789 or ili9341", value);
+        return o->controller != NULL ? 0 : fail_with(f, "--controller %s: expected st7789 or ili9341", value);
     case OPTION_SPI:
         o->spi = value;
         return 0;
@@ -189,11 +189,11 @@ static int parse_option(int option, const char *value, options *o, failure *f)
     case OPTION_SIZE:
         return read_pair(value, 'x', 1, &o->glass.width_px, &o->glass.height_px)
                    ? 0
-                   : fail(f, "--size %s: expected WxH in pixels such as 240x240", value);
+                   : fail_with(f, "--size %s: expected WxH in pixels such as 240x240", value);
     case OPTION_OFFSET:
         return read_pair(value, ',', 0, &o->glass.x_px, &o->glass.y_px)
                    ? 0
-                   : fail(f, "--offset %s: expected X,Y in pixels such as 0,80", value);
+                   : fail_with(f, "--offset %s: expected X,Y in pixels such as 0,80", value);
     case OPTION_ROTATE:
         return parse_rotation(value, &o->glass.quarter_turns, f);
     case OPTION_SPEED:
@@ -221,17 +221,18 @@ static int parse_option(int option, const char *value, options *o, failure *f)
 static int check(const options *o, failure *f)
 {
     if (o->controller == NULL) {
-        return fail(f, "--controller is missing: st7789 or ili9341");
+        return fail_with(f, "--controller is missing: st7789 or ili9341");
     }
     if (o->dc == NULL) {
-        return fail(f, "--dc is missing: the line that is wired to the panel's D/C (also called RS)");
+        return fail_with(f, "--dc is missing: the line that is wired to the panel's D/C (also called RS)");
     }
     if (o->glass.x_px + o->glass.width_px > ST7789_MEMORY_WIDTH_PX ||
         o->glass.y_px + o->glass.height_px > ST7789_MEMORY_HEIGHT_PX) {
-        return fail(f,
-                    "--size and --offset reach beyond the controller's memory, %dx%d; for a picture that lies on its "
-                    "side give the size as mounted without rotation, and --rotate 90",
-                    ST7789_MEMORY_WIDTH_PX, ST7789_MEMORY_HEIGHT_PX);
+        return fail_with(
+            f,
+            "--size and --offset reach beyond the controller's memory, %dx%d; for a picture that lies on its "
+            "side give the size as mounted without rotation, and --rotate 90",
+            ST7789_MEMORY_WIDTH_PX, ST7789_MEMORY_HEIGHT_PX);
     }
     return 0;
 }
@@ -248,10 +249,10 @@ int options_parse(int count, char **arguments, options *out, failure *f)
     optind = 0; /* from the start, with whatever an earlier call left */
     while ((option = getopt_long(count, arguments, ":", option_table, NULL)) != -1) {
         if (option == ':') {
-            return fail(f, "%s: a value is missing", arguments[optind - 1]);
+            return fail_with(f, "%s: a value is missing", arguments[optind - 1]);
         }
         if (option == '?') {
-            return fail(f, "%s: no such option", arguments[optind - 1]);
+            return fail_with(f, "%s: no such option", arguments[optind - 1]);
         }
         if (parse_option(option, optarg, out, f) != 0) {
             return -1;
@@ -264,11 +265,11 @@ int options_parse(int count, char **arguments, options *out, failure *f)
         scene = arguments[optind++];
     }
     if (optind < count) {
-        return fail(f, "%s: only one scene is drawn", arguments[optind]);
+        return fail_with(f, "%s: only one scene is drawn", arguments[optind]);
     }
     out->demo = demo_scene_named(scene);
     if (out->demo == NULL) {
-        return fail(f, "%s: no built-in scene of this name (glint-render --list names them)", scene);
+        return fail_with(f, "%s: no built-in scene of this name (glint-render --list names them)", scene);
     }
     if (check(out, f) != 0) {
         return -1;

@@ -81,7 +81,7 @@ static int wait_for_press(const board *b, buttons *state, button_action *action,
             if (errno == EINTR) {
                 continue;
             }
-            return fail(f, "cannot wait for the buttons: %s", strerror(errno));
+            return fail_with(f, "cannot wait for the buttons: %s", strerror(errno));
         }
         for (unsigned i = 0; i < state->count && *action == BUTTON_NOTHING; i++) {
             gpio_edge edge;

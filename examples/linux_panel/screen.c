@@ -152,8 +152,8 @@ int screen_begin(screen *s, failure *f)
     s->failure = f;
     const int result = s->controller->begin(s);
     if (result == ST7789_ERROR_GLASS) {
-        return fail(f, "--size and --offset reach beyond the controller's memory of %dx%d pixels",
-                    ST7789_MEMORY_WIDTH_PX, ST7789_MEMORY_HEIGHT_PX);
+        return fail_with(f, "--size and --offset reach beyond the controller's memory of %dx%d pixels",
+                         ST7789_MEMORY_WIDTH_PX, ST7789_MEMORY_HEIGHT_PX);
     }
     return result;
 }
@@ -171,16 +171,17 @@ int screen_ask(screen *s, failure *f)
         return -1;
     }
     if (answer == 0x00 || answer == 0xFF) {
-        return fail(f,
-                    "the panel does not answer (MISO stays %s): check its power and ground, that SDO is wired to MISO, "
-                    "and the lines of clock, select, D/C and reset; many panels have no SDO: leave --ask out for them",
-                    answer == 0 ? "low" : "high");
+        return fail_with(
+            f,
+            "the panel does not answer (MISO stays %s): check its power and ground, that SDO is wired to MISO, "
+            "and the lines of clock, select, D/C and reset; many panels have no SDO: leave --ask out for them",
+            answer == 0 ? "low" : "high");
     }
     if ((answer & RDDPM_AWAKE) == 0) {
-        return fail(f,
-                    "the panel answers, but that it sleeps (power mode 0x%02x): check the reset line, and that "
-                    "--controller names the right one",
-                    answer);
+        return fail_with(f,
+                         "the panel answers, but that it sleeps (power mode 0x%02x): check the reset line, and that "
+                         "--controller names the right one",
+                         answer);
     }
     return 0;
 }

@@ -49,7 +49,7 @@ int sender_start(sender *s, sender_send send, void *context, failure *f)
                           &before); /* the new thread inherits it: signals go to the drawing thread */
     const int error = pthread_create(&s->thread, NULL, run, s);
     (void)pthread_sigmask(SIG_SETMASK, &before, NULL);
-    return error == 0 ? 0 : fail(f, "cannot start a thread: %s", strerror(error));
+    return error == 0 ? 0 : fail_with(f, "cannot start a thread: %s", strerror(error));
 }
 
 void sender_end(sender *s)

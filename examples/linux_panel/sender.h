@@ -17,8 +17,8 @@
 #define SENDER_SLOTS 2
 
 typedef struct sender_job {
-    const uint8_t *pixels; /* stay as they are until the job is done */
-    uint32_t bytes;        /* 0: nothing to send, done in its turn */
+    const uint8_t *pixels;    /* stay as they are until the job is done */
+    uint32_t bytes;           /* 0: nothing to send, done in its turn */
     uint16_t y_px, height_px; /* whole rows of the picture */
 } sender_job;
 

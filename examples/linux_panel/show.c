@@ -85,7 +85,7 @@ int show_open(show *s, screen *on, const demo_scene *demo, uint8_t tolerance, ui
                                  .wait = wait_for_transfer};
     if (changes_open(&s->changes, glint_row_bytes(WIRE_FORMAT, width_px), height_px) != 0) {
         show_close(s);
-        return fail(f, "out of memory");
+        return fail_with(f, "out of memory");
     }
     if (dump != NULL) {
         if (picture_create(&s->picture, width_px, height_px, f->text, sizeof f->text) != 0) {

@@ -38,25 +38,25 @@ static int fail_open(failure *f, const char *path, int error)
     case ENOENT:
     case ENODEV:
     case ENXIO:
-        return fail(
+        return fail_with(
             f,
             "%s: no such device: SPI is not enabled, or has another number (ls /dev/spidev*). On a Raspberry Pi "
             "write dtparam=spi=on into /boot/firmware/config.txt and restart; on other boards enable the SPI "
             "overlay, with a spidev node",
             path);
     case EBUSY:
-        return fail(f, "%s: in use by another program, or by a kernel driver of a panel: end that first", path);
+        return fail_with(f, "%s: in use by another program, or by a kernel driver of a panel: end that first", path);
     default:
-        return fail(f, "%s: cannot open the SPI device: %s", path, strerror(error));
+        return fail_with(f, "%s: cannot open the SPI device: %s", path, strerror(error));
     }
 }
 
 static int fail_setting(failure *f, const char *path, const char *what, int error)
 {
     if (error == ENOTTY) {
-        return fail(f, "%s: is not an SPI device: give --spi one of /dev/spidev*", path);
+        return fail_with(f, "%s: is not an SPI device: give --spi one of /dev/spidev*", path);
     }
-    return fail(f, "%s: the SPI controller refuses %s: %s", path, what, strerror(error));
+    return fail_with(f, "%s: the SPI controller refuses %s: %s", path, what, strerror(error));
 }
 
 int spi_open(spi_device *out, const char *path, uint32_t speed_hz, failure *f)
@@ -100,12 +100,13 @@ static int transfer(const spi_device *spi, struct spi_ioc_transfer *one)
 static int fail_transfer(const spi_device *spi, size_t bytes, int error, failure *f)
 {
     if (error == EMSGSIZE) {
-        return fail(f,
-                    "%s: the driver refuses even %zu bytes at once: make its buffer greater, with spidev.bufsiz=65536 "
-                    "on the kernel's command line",
-                    spi->path, bytes);
+        return fail_with(
+            f,
+            "%s: the driver refuses even %zu bytes at once: make its buffer greater, with spidev.bufsiz=65536 "
+            "on the kernel's command line",
+            spi->path, bytes);
     }
-    return fail(f, "%s: sending %zu bytes failed: %s", spi->path, bytes, strerror(error));
+    return fail_with(f, "%s: sending %zu bytes failed: %s", spi->path, bytes, strerror(error));
 }
 
 int spi_write(spi_device *spi, const uint8_t *bytes, size_t count, failure *f)
@@ -137,6 +138,7 @@ int spi_read(spi_device *spi, uint8_t *bytes, size_t count, uint32_t speed_hz, f
 {
     struct spi_ioc_transfer one = {
         .rx_buf = (uintptr_t)bytes, .len = (uint32_t)count, .speed_hz = speed_hz, .bits_per_word = 8};
-    return transfer(spi, &one) >= 0 ? 0
-                                    : fail(f, "%s: reading %zu bytes failed: %s", spi->path, count, strerror(errno));
+    return transfer(spi, &one) >= 0
+               ? 0
+               : fail_with(f, "%s: reading %zu bytes failed: %s", spi->path, count, strerror(errno));
 }

@@ -12,7 +12,7 @@ int view_open(view *v, const demo_scene *demo, uint8_t tolerance, const glint_di
     v->memory = malloc(v->memory_bytes + sizeof(uint32_t));
     if (v->objects == NULL || v->memory == NULL) {
         view_close(v);
-        return fail(f, "out of memory");
+        return fail_with(f, "out of memory");
     }
     return 0;
 }
@@ -42,5 +42,5 @@ int view_draw(view *v, const glint_display *display, glint_report *report, failu
     if (result == GLINT_OK) {
         result = glint_fixed_render(&turned, display, &quality, v->memory, v->memory_bytes, report);
     }
-    return result < 0 ? fail(f, "%s: %s", v->demo->name, glint_error_text(result)) : result;
+    return result < 0 ? fail_with(f, "%s: %s", v->demo->name, glint_error_text(result)) : result;
 }
