@@ -98,7 +98,7 @@ linux-panel-arm64: $(LINUX_PANEL_ARM64)/kernel $(GPIOD2_TREE)/include/gpiod.h
 		$(LINUX_PANEL_ARM64)/glint-panel-gpiod1 $(LINUX_PANEL_ARM64)/glint-panel-gpiod2
 
 .PHONY: board-build-linux_panel
-board-build-linux_panel: linux-panel-arm64 $(B)/pl061-events $(B)/glint-panel-decode $(B)/glint-render
+board-build-linux_panel: linux-panel-arm64 linux-panel-tests $(B)/pl061-events $(B)/glint-panel-decode $(B)/glint-render
 
 # ----------------------------------------------------------------------------------------------------------- the tests
 
@@ -132,9 +132,18 @@ endef
 $(eval $(call linux_panel_tests,1))
 $(eval $(call linux_panel_tests,2))
 
-.PHONY: test-linux-panel
-test-linux-panel: $(LINUX_PANEL_GPIOD_TESTS) ## Tests of glint-panel's parts and of the whole program, on a board of fakes
+.PHONY: linux-panel-tests test-linux-panel
+linux-panel-tests: $(LINUX_PANEL_GPIOD_TESTS)
+test-linux-panel: linux-panel-tests ## Tests of glint-panel's parts and of the whole program, on a board of fakes
 	@tools/check-tests.sh $(JOBS) $(LINUX_PANEL_GPIOD_TESTS)
+
+# --------------------------------------------------------------------------------------------------------------- checks
+
+LINUX_PANEL_ALL := $(LINUX_PANEL_MAIN) $(LINUX_PANEL_SOURCES) $(GPIO_SOURCES) \
+	$(sort $(wildcard $(LINUX_PANEL_TESTS)/*.c $(LINUX_PANEL_EMULATED)/*.c))
+TARGET_SOURCES += $(filter examples/linux_panel/% tests/linux_panel/% examples/panels/ili9341.c,$(LINUX_PANEL_ALL))
+tidy/$(LINUX_PANEL)/gpio_v2.c tidy/$(LINUX_PANEL_TESTS)/fake_gpiod_v2.c: HOST_FLAGS += $(GPIOD2_FLAGS)
+tidy/$(LINUX_PANEL)/gpio_v2.c tidy/$(LINUX_PANEL_TESTS)/fake_gpiod_v2.c: | $(GPIOD2_HEADER)
 
 -include $(patsubst %.o,%.d,$(call objects,$(LINUX_PANEL_MAIN) $(LINUX_PANEL_SOURCES) $(LINUX_PANEL_FAKES) \
 	$(LINUX_PANEL_TEST_SOURCES)) $(call gpiod_objects,1) $(call gpiod_objects,2))

@@ -89,7 +89,7 @@ gpio_line *gpio_output(gpio_chip *chip, const char *line, bool high, failure *f)
     return request(chip, line, settings, f);
 }
 
-gpio_line *gpio_button(gpio_chip *chip, const char *name, bool to_ground, failure *f)
+gpio_line *gpio_button(gpio_chip *chip, const char *line, bool to_ground, failure *f)
 {
     struct gpiod_line_settings *settings = gpiod_line_settings_new();
     if (settings != NULL) {
@@ -98,17 +98,17 @@ gpio_line *gpio_button(gpio_chip *chip, const char *name, bool to_ground, failur
         (void)gpiod_line_settings_set_bias(settings, to_ground ? GPIOD_LINE_BIAS_PULL_UP : GPIOD_LINE_BIAS_PULL_DOWN);
         gpiod_line_settings_set_active_low(settings, to_ground);
     }
-    gpio_line *line = request(chip, name, settings, f);
-    if (line == NULL) {
+    gpio_line *button = request(chip, line, settings, f);
+    if (button == NULL) {
         return NULL;
     }
-    line->edges = gpiod_edge_event_buffer_new(1);
-    if (line->edges == NULL) {
+    button->edges = gpiod_edge_event_buffer_new(1);
+    if (button->edges == NULL) {
         (void)fail_with(f, "out of memory");
-        gpio_release(line);
+        gpio_release(button);
         return NULL;
     }
-    return line;
+    return button;
 }
 
 int gpio_set(gpio_line *line, bool high, failure *f)

@@ -1,13 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# examples/linux_panel/run.sh BUILD: glint-panel on an emulated arm64 board, for `make boards`. Both controllers, both
-# versions of libgpiod, upright and turned; a press of a button, SIGINT in mid-frame, each failure. Prints lines "name
-# value" and leaves them, the report and the pictures in BUILD/boards/linux_panel.
+# examples/linux_panel/run.sh BUILD, for `make boards`: the tests of glint-panel on a board of fakes, then glint-panel on
+# an emulated arm64 board. Both controllers, both versions of libgpiod, upright and turned; a press of a button, SIGINT in
+# mid-frame, each failure. Prints lines "name value" and leaves them, the report and the pictures in
+# BUILD/boards/linux_panel.
 set -euo pipefail
 build=$1
-jobs=$(cd "$(dirname "$0")/../../tests/linux_panel/emulated" && pwd)
+top=$(cd "$(dirname "$0")/../.." && pwd)
+jobs=$top/tests/linux_panel/emulated
 folder=$build/boards/linux_panel
+
+"$top/tools/check-tests.sh" 2 "$build"/tests/linux_panel/test_*-gpiod[12]
 
 # Two at a time: the emulator of each takes a processor.
 run() {
@@ -35,6 +39,8 @@ fi
 {
     echo "emulator QEMU, $(cat "$folder/arm64/kernel")"
     echo "flash_bytes $(stat -c %s "$folder/arm64/glint-panel-gpiod1")"
+    # what the bytes take at the ST7789's default clock, 32 MHz: the emulated board bit-bangs
+    awk '$1 == "press_st7789_gpiod1_first_frame_bytes" { printf "send_ms %.1f\n", $2 * 8 / 32e3 }' "$folder/all"
     echo "frame_bytes $(awk '$1 == "press_st7789_gpiod1_first_frame_bytes" { print $2 }' "$folder/all")"
     echo "violations $(awk '$1 ~ /_violations$/ { sum += $2 } END { print sum + 0 }' "$folder/all")"
 } >"$folder/report.txt"

@@ -35,6 +35,7 @@ static void write_events(uint64_t us, const event *events, unsigned count)
 static bool read_event(const char *text, uint64_t *us, event *out)
 {
     uint64_t seconds = 0, micros = 0;
+    /* NOLINTNEXTLINE(cert-err34-c): QEMU's own numbers fit */
     return sscanf(text, "%*d@%" SCNu64 ".%6" SCNu64 ":pl061_set_output %*s setting output %1u to %1u", &seconds,
                   &micros, &out->line, &out->level) == 4 &&
            out->line < 8 && out->level < 2 && ((*us = seconds * 1000000 + micros), true);
