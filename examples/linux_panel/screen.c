@@ -150,12 +150,7 @@ void screen_connect(screen *out, const screen_controller *controller, const scre
 int screen_begin(screen *s, failure *f)
 {
     s->failure = f;
-    const int result = s->controller->begin(s);
-    if (result == ST7789_ERROR_GLASS) {
-        return fail_with(f, "--size and --offset reach beyond the controller's memory of %dx%d pixels",
-                         ST7789_MEMORY_WIDTH_PX, ST7789_MEMORY_HEIGHT_PX);
-    }
-    return result;
+    return s->controller->begin(s);
 }
 
 /* Read display power mode: one byte, the same in both controllers. Reading is slower than writing. */

@@ -29,7 +29,8 @@ typedef struct screen {
     failure *failure; /* of the call under way */
 } screen;
 
-/* How the glass lies: its size and first pixel as mounted without rotation, quarter turns clockwise. */
+/* How the glass lies: its size and first pixel as mounted without rotation, quarter turns clockwise. It
+ * lies within the controller's memory of 240x320. */
 typedef struct screen_glass {
     uint16_t width_px, height_px, x_px, y_px;
     uint8_t quarter_turns;

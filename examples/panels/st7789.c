@@ -29,9 +29,9 @@ enum {
     COLMOD_65K_16BIT = 0x55
 };
 
-/* A reset pulse is at least 10 us. After a reset in sleep, commands are taken after 5 ms; the state before is not known,
- * and out of sleep it takes 120 ms. After SLPOUT commands are taken after 5 ms, but SLPIN only after 120 ms, as SLPOUT
- * after SLPIN: waiting at once spares its callers the clock. */
+/* A reset pulse is at least 10 us. After a reset in sleep, commands are taken after 5 ms; the state before is not
+ * known, and out of sleep it takes 120 ms. After SLPOUT commands are taken after 5 ms, but SLPIN only after 120 ms, as
+ * SLPOUT after SLPIN: waiting at once spares its callers the clock. */
 #define RESET_PULSE_US UINT32_C(20)
 #define RESET_WAIT_US UINT32_C(120000)
 #define SLEEP_WAIT_US UINT32_C(120000)

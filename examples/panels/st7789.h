@@ -40,7 +40,7 @@ typedef struct st7789 {
 /* Resets and wakes the controller, sets format and orientation; the display stays off. Takes a quarter of a second. */
 int st7789_begin(const st7789 *panel);
 
-/* Opens the window of the picture's pixels that the next data fill, row by row, again from its start when it is full. */
+/* Opens the window of the picture's pixels that the next data fill, row by row, again from the start when full. */
 int st7789_window(const st7789 *panel, uint16_t x_px, uint16_t y_px, uint16_t width_px, uint16_t height_px);
 
 /* Turns the display on, with what its memory holds. */

@@ -263,7 +263,8 @@ static void signals_while_it_waits(void **state)
     for (size_t i = 0; i < 3; i++) {
         const fake_wait waits[] = {{FAKE_SIGNAL, .number = numbers[i]}};
         fake_board_begin();
-        presses(SMALL " --button KEY1", waits, 1);
+        presses(i == 0 ? "sphere-10x6 --controller ili9341 --size 40x40 --button KEY1 " LINES : SMALL " --button KEY1",
+                waits, 1);
         assert_true(is_dark(40 * 40));
         assert_false(the_board.lines[FAKE_BACKLIGHT].level);
     }

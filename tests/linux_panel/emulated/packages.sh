@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# tests/linux_panel/emulated/packages.sh FOLDER: Debian's arm64 packages for the emulated board, unpacked into
+# tests/linux_panel/emulated/packages.sh FOLDER: what the emulated board takes of Debian 12's arm64 packages, unpacked into
 # FOLDER/root. They are got with the system's sources and keys, but nothing of the system is changed: apt's lists and its
 # cache of arm64 are in FOLDER too.
 set -euo pipefail
@@ -22,6 +22,11 @@ rm -rf "$folder/root" "$folder"/debs/*.deb
 (cd "$folder/debs" && apt-get "${options[@]}" download \
     "$kernel" busybox-static libc6 libgpiod2 libgpiod-dev gpiod)
 for package in "$folder"/debs/*.deb; do
-    dpkg -x "$package" "$folder/root"
+    # of the kernel's 400 MB: itself and two modules
+    wanted=(.)
+    case $package in */linux-image-*) wanted=(./boot './lib/modules/*/kernel/drivers/spi') ;; esac
+    mkdir -p "$folder/root"
+    dpkg --fsys-tarfile "$package" | tar -x -C "$folder/root" --wildcards "${wanted[@]}"
 done
+rm -rf "$folder/lists" "$folder/cache" "$folder/debs"
 echo "$kernel" >"$folder/kernel"

@@ -64,7 +64,10 @@ mkfifo "$work/trace" "$work/monitor.in" "$work/monitor.out"
 "$build/pl061-events" <"$work/trace" >"$work/events" 2>"$work/events.log" &
 listener=$!
 cat "$work/monitor.out" >"$work/monitor.log" &
-exec 3<>"$work/monitor.in"
+monitor=$!
+trap 'kill $monitor 2>/dev/null || true' EXIT
+# Held open from here too, so that nobody waits for an emulator that did not start.
+exec 3<>"$work/monitor.in" 4<>"$work/trace"
 
 machine_run() {
     timeout "$limit_s" qemu-system-aarch64 "${machine[@]}" -kernel "$root"/boot/vmlinuz-* -initrd "$work/initramfs.cpio" \
@@ -74,7 +77,7 @@ machine_run() {
 }
 
 # Reads the console and keeps what init tells: see there.
-status= stopping= shown= file=
+status= shown= file=
 : >"$work/lines" >"$work/output" >"$work/failures"
 while IFS= read -r line; do
     line=${line%$'\r'}
@@ -93,7 +96,6 @@ while IFS= read -r line; do
         shown=$(date +%s%N)
         [ "$job" != press ] || echo system_powerdown >&3 # a pulse of 0.1 s on line 3
         ;;
-    STOPPING) stopping=$(date +%s%N) ;;
     "FILE "*)
         file=${line#FILE }
         : >"$work/file"
@@ -105,7 +107,7 @@ while IFS= read -r line; do
     DONE) break ;;
     esac
 done < <(machine_run)
-exec 3>&-
+exec 3>&- 4>&-
 wait "$listener" || wrong "the trace could not be read: $(cat "$work/events.log")"
 
 [ "$status" = 0 ] || wrong "glint-panel ended with status '$status': $(cat "$work/output" "$work/qemu.log")"
@@ -174,16 +176,18 @@ ${name}_frame_\1_draw_ms \2\n${name}_frame_\1_bands_sent \3\n${name}_frame_\1_se
 stop)
     expect "$work/expected-1.ppm" 0
     expect "$work/expected-2.ppm" 2.8125
-    decode "$work/stopping.ppm" --at "$stopping" <"$work/events"
+    # the first thing that blanking does is to turn the backlight off
+    blanked=$(awk '$2 == "backlight" && $3 == 0 { at = $1 } END { print at }' "$work/events")
+    decode "$work/stopped.ppm" --at $((blanked - 1)) <"$work/events"
     decode "$work/end.ppm" <"$work/events"
     check_violations
     # in mid-frame: the second frame down to some pixel, from there on still the first
-    at=$({ cmp "$work/stopping.ppm" "$work/expected-2.ppm" || true; } | sed 's/.*byte \([0-9]*\),.*/\1/')
+    at=$({ cmp "$work/stopped.ppm" "$work/expected-2.ppm" || true; } | sed 's/.*byte \([0-9]*\),.*/\1/')
     [ -n "$at" ] || wrong "the second frame was complete when the signal came"
-    cmp -s -i $((${at:-1} - 1)) "$work/stopping.ppm" "$work/expected-1.ppm" || wrong "neither frame 1 nor 2 was shown"
-    differ "$work/stopping.ppm" "$work/expected-1.ppm"
+    cmp -s -i $((${at:-1} - 1)) "$work/stopped.ppm" "$work/expected-1.ppm" || wrong "neither frame 1 nor 2 was shown"
+    differ "$work/stopped.ppm" "$work/expected-1.ppm"
     [ "$(tail -c +16 "$work/end.ppm" | tr -d '\0' | wc -c)" -eq 0 ] || wrong "the panel is not dark at the end"
-    say frame_2_percent_at_signal $((100 * ${at:-1} / $(wc -c <"$work/expected-1.ppm")))
+    say frame_2_percent_when_stopped $((100 * ${at:-1} / $(wc -c <"$work/expected-1.ppm")))
     ;;
 failures)
     while read -r what expected pattern; do
