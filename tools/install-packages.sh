@@ -81,7 +81,30 @@ needs_verify() {
     need "has_command clang-tidy" "static analysis" clang-tidy clang-tools-extra clang clang-extra-tools clang-tools llvm
     need "has_command clang-format" "format check" clang-format clang-tools-extra clang clang-extra-tools clang-tools llvm
     need "has_command cppcheck" "static analysis" cppcheck cppcheck cppcheck cppcheck cppcheck cppcheck
+    needs_libgpiod
     needs_cross
+}
+
+# The Linux board's kernel and libraries are Debian's packages for arm64, which are unpacked, not installed.
+needs_linux_panel() {
+    needs_libgpiod
+    need "has_library cmocka stdarg.h\ stddef.h\ setjmp.h\ stdint.h\ cmocka.h" "test framework" \
+        libcmocka-dev libcmocka-devel cmocka cmocka-dev libcmocka-devel cmocka
+    need "has_library libcjson cjson/cJSON.h" "tests" libcjson-dev cjson-devel cjson cjson-dev cJSON-devel cjson
+    need "python3 -m pip --version >/dev/null 2>&1" "gets the source of libgpiod 2" \
+        python3-pip python3-pip python-pip py3-pip python3-pip python
+    need "has_program aarch64-linux-gnu-gcc -pthread" "arm64 compiler and C library" \
+        "gcc-aarch64-linux-gnu libc6-dev-arm64-cross" - aarch64-linux-gnu-gcc - - -
+    need "has_command qemu-system-aarch64" "arm64 emulator" \
+        qemu-system-arm qemu-system-aarch64-core qemu-system-aarch64 qemu-system-aarch64 qemu-arm qemu
+    need "has_command dtc" "device tree of the emulated Linux board" device-tree-compiler dtc dtc dtc dtc dtc
+    need "has_command cpio" "memory disk of the emulated Linux board" cpio cpio cpio cpio cpio cpio
+}
+
+needs_libgpiod() {
+    need "has_command pkg-config" "finds the libraries" pkg-config pkgconf-pkg-config pkgconf pkgconf pkg-config pkg-config
+    need "has_library libgpiod gpiod.h" "GPIO lines of Linux boards" \
+        libgpiod-dev libgpiod-devel libgpiod libgpiod-dev libgpiod-devel -
 }
 
 needs_proofs() {
@@ -187,6 +210,9 @@ needs_boards() {
     need "has_library simavr sim_avr.h" "emulates the ATmega1284P with its OLED" libsimavr-dev simavr-devel - - - simavr
     need "has_library libelf libelf.h" "simavr reads firmware with it" \
         libelf-dev elfutils-libelf-devel libelf elfutils-dev libelf-devel -
+    need "has_command node" "emulates the Raspberry Pi Pico" nodejs nodejs nodejs nodejs nodejs node
+    need "has_command npm" "installs its emulator" npm npm npm npm npm node
+    needs_linux_panel
 }
 
 manager=
