@@ -210,8 +210,6 @@ needs_boards() {
     need "has_library simavr sim_avr.h" "emulates the ATmega1284P with its OLED" libsimavr-dev simavr-devel - - - simavr
     need "has_library libelf libelf.h" "simavr reads firmware with it" \
         libelf-dev elfutils-libelf-devel libelf elfutils-dev libelf-devel -
-    need "has_command node" "emulates the Raspberry Pi Pico" nodejs nodejs nodejs nodejs nodejs node
-    need "has_command npm" "installs its emulator" npm npm npm npm npm node
     needs_linux_panel
 }
 

@@ -3,7 +3,7 @@
 # What stands beside the tests: sanitizers, the second compiler, static analysis, format, generated files.
 
 VERIFY_STAGES := format-check generated-check cppcheck tidy cross firmware-example size consumer-check lvgl-check hard-cases \
-	proofs bit-identical targets test-clang test-asan test-small-tables ranges fuzz-short boards
+	proofs bit-identical targets effects test-clang test-asan test-small-tables ranges fuzz-short boards
 
 .PHONY: verify
 verify: ## Tests under sanitizers and with clang, static analysis, target processors, sizes; installs what is missing
