@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: MIT
+#
+# The atlas, what accuracy costs in time: `make atlas`. The frames are counted by the programs of cost.mk, with one scene
+# each (tools/atlas/cases.c), so that what is finished is kept: a part runs again when its program is another.
+
+ATLAS_LIST ?= tools/atlas/scenes.txt
+ATLAS ?= $(B)/atlas$(if $(QUICK),-quick)
+ATLAS_QUICK := A C-96x64
+# The scenes whose frames are taken apart by stage, and whose pictures are shown.
+ATLAS_SHOWN := A C teapot knot room point-light
+
+# A row of the list is NAME:SCENE:WIDTHxHEIGHT:BAND:TARGETS, and for a scene that is not built in :SOURCE.
+atlas_rows := $(shell awk '!/^\#/ && NF { gsub(/ +/, ":"); print }' $(ATLAS_LIST))
+$(foreach row,$(atlas_rows),$(eval ATLAS_ROW_$(firstword $(subst :, ,$(row))) := $(subst :, ,$(row))))
+atlas_field = $(word $(2),$(ATLAS_ROW_$(1)))
+ATLAS_SCENES := $(foreach row,$(atlas_rows),$(firstword $(subst :, ,$(row))))
+ifdef QUICK
+ATLAS_SCENES := $(filter $(ATLAS_QUICK),$(ATLAS_SCENES))
+endif
+ATLAS_SHOWN := $(filter $(ATLAS_SHOWN),$(ATLAS_SCENES))
+atlas_defines = '-DATLAS_NAME="$(1)"' -DATLAS_SCENE=$(call atlas_field,$(1),2) -DATLAS_BAND_PX=$(call atlas_field,$(1),4) \
+	$(join -DATLAS_WIDTH_PX= -DATLAS_HEIGHT_PX=,$(subst x, ,$(call atlas_field,$(1),3)))
+atlas_cases = $(call atlas_defines,$(1)) tools/atlas/cases.c $(call atlas_field,$(1),6)
+
+# Programs of a scene on a processor: clock.elf for the RP2040's emulator, in fixed point with as much RAM as any scene
+# takes; the other for QEMU or simavr, in a quick run without what software floating point would take its time for.
+ATLAS_KIND := $(if $(QUICK),fixed,cost)
+ATLAS_KINDS_m0plus := $(ATLAS_KIND) clock
+ATLAS_KINDS_m3 := $(ATLAS_KIND)
+ATLAS_KINDS_m4f := cost
+ATLAS_KINDS_rv32imac := $(ATLAS_KIND)
+ATLAS_KINDS_avr := cost
+COST_RAM_fixed := $(COST_RAM_cost)
+COST_DEFINE_fixed := -DPROGRAM_BACKENDS=1
+COST_PLATFORM_fixed = $(COST_PLATFORM_cost)
+COST_RAM_clock := $(COST_RAM_cost)
+COST_DEFINE_clock := $(COST_DEFINE_fixed)
+COST_PLATFORM_clock := $(COST_PLATFORM_cycles)
+
+atlas_on = $(foreach scene,$(ATLAS_SCENES),$(if $(filter avr,$(1)),$(if $(filter all,$(call atlas_field,$(scene),5)),$(scene)),$(scene)))
+atlas_programs = $(foreach scene,$(call atlas_on,$(1)),$(foreach kind,$(ATLAS_KINDS_$(1)),atlas/$(scene)/$(kind).elf)) \
+	$(if $(ATLAS_OWN),,atlas/routines.elf atlas/routines-small.elf $(if $(filter m0plus,$(1)),atlas/routines-clock.elf))
+
+# ------------------------------------------------------------------------------------------------------------- the runs
+
+ATLAS_TARGETS := $(shell awk '!/^\#/ && NF { print $$1 }' tools/atlas/targets.txt)
+ifneq ($(filter run-atlas%,$(MAKECMDGOALS)),)
+ATLAS_PRESENT := $(shell for target in $(filter-out host,$(ATLAS_TARGETS)); do \
+	tools/cost/run.sh probe $$target 2>/dev/null && echo $$target; done) host
+endif
+atlas_kind = $(if $(filter m0plus-cycles,$(1)),clock,$(if $(filter avr m4f,$(call cost_processor,$(1))),cost,$(ATLAS_KIND)))
+
+.PHONY: atlas
+atlas: ## What accuracy costs in time, on every target, as a page: build/atlas/index.html. Installs what is missing; QUICK=1
+	@tools/install-packages.sh atlas || echo "Going on with what is there."
+	@+$(SUBMAKE) run-atlas
+
+.PHONY: run-atlas
+run-atlas: $(ATLAS)/index.html ## The same with what is installed
+	@echo "Written: $<, and what it shows as $(ATLAS)/*.csv"
+
+.PHONY: run-atlas-frames
+run-atlas-frames: $(ATLAS)/frames.csv
+
+# Built by one make a processor, since all programs share its objects.
+.PHONY: $(COST_PROCESSORS:%=atlas-build-%)
+$(COST_PROCESSORS:%=atlas-build-%): atlas-build-%:
+	@+! command -v $($*_CC) >/dev/null || $(SUBMAKE) -s COST=$* B=$(B)/cost/$* PNG=no ASSIMP=no \
+		CC=$($*_CC) AR=$(patsubst %gcc,%ar,$($*_CC)) CFLAGS="$(call cost_flags,$*) -g $(strip $($*_FLAGS))" \
+		$(addprefix $(B)/cost/$*/,$(call atlas_programs,$*))
+
+define atlas_built # processor
+$(addprefix $(B)/cost/$(1)/,$(call atlas_programs,$(1))): atlas-build-$(1)
+	@:
+endef
+ifndef COST
+$(foreach processor,$(COST_PROCESSORS),$(eval $(call atlas_built,$(processor))))
+endif
+
+define atlas_frames # scene, target
+$(ATLAS)/frames/$(1)/$(2).txt: $(B)/cost/$(call cost_processor,$(2))/atlas/$(1)/$(call atlas_kind,$(2)).elf \
+		$(if $(filter m0plus-cycles,$(2)),$(COST_NODE)/node_modules/rp2040js)
+	@tools/atlas/run.sh frames $(B) $(2) $$< $$@
+ATLAS_REPORTS_$(1) += $(ATLAS)/frames/$(1)/$(2).txt
+endef
+$(foreach target,$(filter-out host,$(ATLAS_PRESENT)),$(foreach scene,$(call atlas_on,$(call cost_processor,$(target))),$(eval \
+	$(call atlas_frames,$(scene),$(target)))))
+ATLAS_COUNTED := $(foreach scene,$(ATLAS_SCENES),$(ATLAS_REPORTS_$(scene)))
+
+# The host's are timed when all else is done, one after another.
+define atlas_timed # scene
+$(ATLAS)/frames/$(1)/host.txt: $(ATLAS)/programs/$(1)/host | $(ATLAS_COUNTED) $(ATLAS_TIMED_BEFORE)
+	@tools/atlas/run.sh frames $(B) host $$< $$@
+ATLAS_REPORTS_$(1) += $(ATLAS)/frames/$(1)/host.txt
+ATLAS_TIMED_BEFORE := $(ATLAS)/frames/$(1)/host.txt
+endef
+
+ATLAS_HOST_OBJECTS := $(call objects,tools/cost/frames.c $(addprefix $(SELFTEST)/,selftest_report.c platform_stdio.c))
+$(ATLAS)/programs/%/judge: tools/atlas/cases.c $(call objects,tools/cost/judge.c) $(ATLAS_HOST_OBJECTS) $(HOST_ARCHIVES) $(ATLAS_LIST)
+	@mkdir -p $(@D)
+	$(call run,LINK)$(CC) $(HOST_FLAGS) $(LDFLAGS) -o $@ $(call atlas_cases,$*) $(filter %.o,$^) $(HOST_ARCHIVES) -lm
+$(ATLAS)/programs/%/host: tools/atlas/cases.c $(call objects,tools/atlas/host.c) $(ATLAS_HOST_OBJECTS) $(HOST_ARCHIVES) $(ATLAS_LIST)
+	@mkdir -p $(@D)
+	$(call run,LINK)$(CC) $(HOST_FLAGS) $(LDFLAGS) -o $@ $(call atlas_cases,$*) $(filter %.o,$^) $(HOST_ARCHIVES)
+
+.SECONDARY: $(call objects,tools/atlas/host.c)
+
+define atlas_judged # scene
+$(ATLAS)/frames/$(1)/frames.csv: $(ATLAS)/programs/$(1)/judge $$(ATLAS_REPORTS_$(1))
+	@tools/atlas/run.sh judge $$< $$@ $$(filter %.txt,$$^)
+endef
+
+$(foreach scene,$(ATLAS_SCENES),$(eval $(call atlas_timed,$(scene)))$(eval $(call atlas_judged,$(scene))))
+ATLAS_JUDGED := $(ATLAS_SCENES:%=$(ATLAS)/frames/%/frames.csv)
+
+$(ATLAS)/frames.csv: $(ATLAS_JUDGED) tools/atlas/frames.awk tools/atlas/targets.txt $(ATLAS)/missing.txt
+	@tools/atlas/run.sh merge $(ATLAS) $(ATLAS_SCENES)
+
+# What is not there, and its package.
+$(ATLAS)/missing.txt: FORCE
+	@mkdir -p $(@D)
+	@for target in $(filter-out host,$(ATLAS_TARGETS)); do tools/cost/run.sh probe $$target; done 2>$@.part || true
+	@cat $@.part >&2; cmp -s $@.part $@ || cp $@.part $@
+
+-include $(patsubst %.o,%.d,$(call objects,$(wildcard tools/atlas/*.c)))
+
+# Within a flavour of cost.mk.
+ifdef COST
+ATLAS_SCENE_PROGRAMS := $(foreach scene,$(call atlas_on,$(COST)),$(ATLAS_KINDS_$(COST):%=$(B)/atlas/$(scene)/%.elf))
+$(ATLAS_SCENE_PROGRAMS): $(B)/atlas/%.elf: $(COST_PREREQUISITES) tools/atlas/cases.c $(ATLAS_LIST)
+	@mkdir -p $(@D)
+	$(call run,LINK)$(call cost_link,$(basename $(@F)),$(call atlas_cases,$(notdir $(@D)))) $(if $(ATLAS_OWN),2>$@.left || \
+		{ echo "$(COST): the program does not fit: its frames are left out: $$(grep -m 1 -E 'region|error' $@.left)" >&2; : >$@; })
+ifeq ($(COST),rv32imac)
+$(ATLAS_SCENE_PROGRAMS): $(B)/riscv.ld
+endif
+endif
