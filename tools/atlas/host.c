@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Times the frames of the case table on the machine that it runs on. The report has the lines of tools/cost/cost.c, whose
- * judge reads it, with nanoseconds for steps, and before each cost
+ * Times the frames of the case table on the machine that it runs on. The report has the lines of tools/cost/cost.c,
+ * whose judge reads it, with nanoseconds for steps, and before each cost
  *
  *     memory SCENE BACKEND SHADING TOLERANCE LEAST FULL USED         as there
  *     spread SCENE BACKEND SHADING TOLERANCE LEAST LOWER UPPER MOST  of FRAMES frames alike: the ends and the quartiles

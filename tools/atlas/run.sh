@@ -66,6 +66,97 @@ merge)
         done
     } >"$atlas/frame-memory.csv"
     ;;
+routines)
+    atlas=$1
+    shift
+    {
+        echo "target,unit,routine,variant,origin,table_bytes,average,worst,error_ulp,error_inputs"
+        for tables in full small; do
+            reports=()
+            for target in "$@"; do reports+=("$target" "$atlas/routines/$target-$tables.txt"); done
+            "$atlas/programs/judge-routines-$tables" "${reports[@]}" host -
+        done
+    } >"$atlas/routines.csv.part"
+    mv "$atlas/routines.csv.part" "$atlas/routines.csv"
+    ;;
+stages)
+    build=$1 scene=$2 report=$3
+    shift 3
+    program=$1
+    mkdir -p "${report%/*}"
+    if same "$@"; then
+        touch "$report"
+        exit 0
+    fi
+    echo "  PROFILE $scene"
+    for shading in exact Gouraud flat "auto 1"; do
+        node tools/cost/rp2040.js "$build/cost/node" "$program" --profile "$scene fixed $shading" | awk \
+            -v scene="$scene" -v shading="${shading% *}" -v tolerance="${shading#"${shading% *}"}" '
+            BEGIN { sub(/ /, "", tolerance) }
+            /^By stage/ { on = 1; next }
+            on && $1 ~ /^[0-9]+$/ {
+                stage = $0
+                sub(/^ *[0-9]+ +[0-9.]+ +[0-9]+ +/, "", stage)
+                gsub(/,/, ";", stage)
+                print scene ",fixed," shading "," tolerance "," stage "," $1 "," $3
+            }'
+    done >"$report.part"
+    mv "$report.part" "$report"
+    cksum "$@" >"$report.of"
+    ;;
+pictures)
+    build=$1 folder=$2/pictures/$3 variable=$4 size=$5
+    mkdir -p "$folder"
+    name=$(awk -F '[",]' -v scene="&$variable" '{ for (i = 1; i <= NF; i++) { gsub(/ /, "", $i); if ($i == scene) { print $2 } } }' \
+        examples/scenes/table.c)
+    echo "  PICTURES $3"
+    "$build/glint-render" "$name" --size "$size" --tolerance 1 --tiers "$folder/tiers.png" -o "$folder/frame.png"
+    "$build/glint-render" "$name" --size "$size" --shading gouraud -o "$folder/gouraud.png"
+    "$build/glint-render" "$name" --size "$size" --backend reference -o "$folder/reference.png"
+    for kind in frame gouraud; do
+        "$build/glint-compare" "$folder/$kind.png" "$folder/reference.png" --amplify 32 --picture "$folder/$kind-off.png"
+    done >"$folder/done"
+    ;;
+size)
+    build=$1 table=$2
+    shift 2
+    mkdir -p "${table%/*}"
+    if ! "$@" >"$table.log" 2>&1; then
+        echo "make atlas: the sizes of variants are left out, as make size fails: $table.log" >&2
+        : >"$build/cross/size.txt"
+    fi
+    {
+        echo "program,text,rodata,data,bss,flash"
+        awk '$1 !~ /:/ && NF == 6 { print $1 "," $2 "," $3 "," $4 "," $5 "," $6 }' "$build/cross/size.txt"
+    } >"$table.part"
+    mv "$table.part" "$table"
+    ;;
+effects)
+    build=$1 table=$2
+    shift 2
+    mkdir -p "${table%/*}"
+    if "$@" >"$table.log" 2>&1; then
+        cp "$build/effects/effects.csv" "$table"
+    else
+        echo "make atlas: what effects add is left out, as make effects fails: $table.log" >&2
+        head -n 1 "$build/effects/effects.csv" >"$table" 2>/dev/null || : >"$table"
+    fi
+    ;;
+how)
+    version() { command -v "$1" >/dev/null && { "$@" 2>&1 | head -n 1 | tr ',"' '; '; } || echo "not there"; }
+    echo "what,is"
+    echo "host compiler,$(version "$1" --version); $2"
+    echo "Cortex-M emulator,$(version qemu-system-arm --version)"
+    echo "RV32IMAC emulator,$(version qemu-system-riscv32 --version)"
+    echo "RP2040 emulator,rp2040js $3 on node $(version node --version)"
+    echo "AVR emulator,$(command -v simavr >/dev/null && dpkg-query -W -f 'simavr ${Version}' simavr 2>/dev/null || echo simavr)"
+    echo "plots,$(version gnuplot --version)"
+    shift 3
+    while [ $# -gt 0 ]; do
+        echo "$1 compiler,$(version "$2" --version); $3"
+        shift 3
+    done
+    ;;
 *)
     echo "usage: tools/atlas/run.sh frames BUILD TARGET PROGRAM REPORT | judge JUDGE TABLE REPORT... | merge ATLAS SCENE..." >&2
     exit 2

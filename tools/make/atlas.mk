@@ -39,7 +39,7 @@ COST_PLATFORM_clock := $(COST_PLATFORM_cycles)
 
 atlas_on = $(foreach scene,$(ATLAS_SCENES),$(if $(filter avr,$(1)),$(if $(filter all,$(call atlas_field,$(scene),5)),$(scene)),$(scene)))
 atlas_programs = $(foreach scene,$(call atlas_on,$(1)),$(foreach kind,$(ATLAS_KINDS_$(1)),atlas/$(scene)/$(kind).elf)) \
-	$(if $(ATLAS_OWN),,atlas/routines.elf atlas/routines-small.elf $(if $(filter m0plus,$(1)),atlas/routines-clock.elf))
+	$(if $(ATLAS_OWN),,$(addprefix atlas/routines/,$(foreach tables,full small,$(tables).elf $(if $(filter m0plus,$(1)),$(tables)-clock.elf))))
 
 # ------------------------------------------------------------------------------------------------------------- the runs
 
@@ -87,9 +87,62 @@ $(foreach target,$(filter-out host,$(ATLAS_PRESENT)),$(foreach scene,$(call atla
 	$(call atlas_frames,$(scene),$(target)))))
 ATLAS_COUNTED := $(foreach scene,$(ATLAS_SCENES),$(ATLAS_REPORTS_$(scene)))
 
+# Routines: with the library's tables and with small ones, src/number compiled anew for each.
+define atlas_routines # target, tables
+$(ATLAS)/routines/$(1)-$(2).txt: $(B)/cost/$(call cost_processor,$(1))/atlas/routines/$(2)$(if $(filter m0plus-cycles,$(1)),-clock).elf \
+		$(if $(filter m0plus-cycles,$(1)),$(COST_NODE)/node_modules/rp2040js)
+	@tools/atlas/run.sh frames $(B) $(1) $$< $$@
+ATLAS_ROUTINES += $(ATLAS)/routines/$(1)-$(2).txt
+endef
+$(foreach target,$(filter-out host,$(ATLAS_PRESENT)),$(foreach tables,full small,$(eval $(call atlas_routines,$(target),$(tables)))))
+
+ROUTINE_SOURCES := $(wildcard src/number/*.c) tools/atlas/variants.c $(SELFTEST)/selftest_report.c
+ROUTINE_TABLES_small := -DGLINT_SMALL_TABLES=1
+$(ATLAS)/programs/judge-routines-%: tools/atlas/judge_routines.c tools/atlas/routines.h $(ROUTINE_SOURCES) $(HOST_STAMPS)
+	@mkdir -p $(@D)
+	$(call run,LINK)$(CC) $(HOST_FLAGS) $(ROUTINE_TABLES_$*) -o $@ $(filter %.c,$^) $(SELFTEST)/platform_stdio.c -lm
+
+$(ATLAS)/routines.csv: $(ATLAS)/programs/judge-routines-full $(ATLAS)/programs/judge-routines-small $(ATLAS_ROUTINES)
+	@tools/atlas/run.sh routines $(ATLAS) $(filter-out host,$(ATLAS_PRESENT))
+
+# Where a frame goes: profiles of the RP2040's emulator.
+define atlas_stages # scene
+$(ATLAS)/stages/$(1).csv: $(B)/cost/m0plus/atlas/$(1)/clock.elf tools/cost/stages.txt $(COST_NODE)/node_modules/rp2040js
+	@tools/atlas/run.sh stages $(B) $(1) $$@ $$< tools/cost/stages.txt
+endef
+$(foreach scene,$(ATLAS_SHOWN),$(eval $(call atlas_stages,$(scene))))
+ATLAS_STAGES := $(if $(filter m0plus-cycles,$(ATLAS_PRESENT)),$(ATLAS_SHOWN:%=$(ATLAS)/stages/%.csv))
+$(ATLAS)/stages.csv: $(ATLAS_STAGES)
+	@{ echo "scene,backend,shading,tolerance,stage,instructions,cycles"; cat /dev/null $(ATLAS_STAGES); } >$@
+
+# The frame, how it was shaded, and how far it and Gouraud shading are off.
+$(ATLAS)/pictures/%/done: $(B)/glint-render $(B)/glint-compare $(ATLAS_LIST) tools/atlas/run.sh
+	@tools/atlas/run.sh pictures $(B) $(ATLAS) $* $(call atlas_field,$*,2) $(call atlas_field,$*,3)
+
+# Flash of variants and effects, as `make size` and `make effects` tell; not within a quick run.
+ATLAS_BUILT_FROM := $(call rwildcard,src include tools/effects,%.c %.h %.inc %.sh %.txt) tools/size-report.sh
+$(ATLAS)/size.csv: $(ATLAS_BUILT_FROM)
+	@echo "  SIZES of variants"
+	@+tools/atlas/run.sh size $(B) $@ $(SUBMAKE) size
+$(ATLAS)/effects.csv: $(ATLAS_BUILT_FROM)
+	@echo "  EFFECTS"
+	@+tools/atlas/run.sh effects $(B) $@ $(SUBMAKE) run-effects
+ATLAS_FLASH := $(if $(QUICK),,$(ATLAS)/size.csv $(ATLAS)/effects.csv)
+
+$(ATLAS)/how.csv: FORCE
+	@mkdir -p $(@D)
+	@tools/atlas/run.sh how $(CC) '$(strip $(CFLAGS))' $(RP2040JS) $(foreach processor,$(COST_PROCESSORS),$(processor) $($(processor)_CC) \
+		'$(strip $(call cost_flags,$(processor)) $($(processor)_FLAGS))') >$@.part
+	@cmp -s $@.part $@ || cp $@.part $@
+
+ATLAS_TABLES := $(ATLAS)/frames.csv $(ATLAS)/routines.csv $(ATLAS)/stages.csv $(ATLAS_FLASH) $(ATLAS)/how.csv
+$(ATLAS)/index.html: $(ATLAS_TABLES) $(ATLAS_SHOWN:%=$(ATLAS)/pictures/%/done) tools/cost/peers.csv $(wildcard tools/atlas/page* tools/atlas/plot*)
+	@tools/atlas/page.sh $(ATLAS) $(ATLAS_LIST)
+
 # The host's are timed when all else is done, one after another.
+ATLAS_BESIDE := $(if $(ATLAS_OWN),,$(ATLAS_ROUTINES) $(ATLAS_STAGES) $(ATLAS_FLASH))
 define atlas_timed # scene
-$(ATLAS)/frames/$(1)/host.txt: $(ATLAS)/programs/$(1)/host | $(ATLAS_COUNTED) $(ATLAS_TIMED_BEFORE)
+$(ATLAS)/frames/$(1)/host.txt: $(ATLAS)/programs/$(1)/host | $(ATLAS_COUNTED) $(ATLAS_BESIDE) $(ATLAS_TIMED_BEFORE)
 	@tools/atlas/run.sh frames $(B) host $$< $$@
 ATLAS_REPORTS_$(1) += $(ATLAS)/frames/$(1)/host.txt
 ATLAS_TIMED_BEFORE := $(ATLAS)/frames/$(1)/host.txt
@@ -131,7 +184,18 @@ $(ATLAS_SCENE_PROGRAMS): $(B)/atlas/%.elf: $(COST_PREREQUISITES) tools/atlas/cas
 	@mkdir -p $(@D)
 	$(call run,LINK)$(call cost_link,$(basename $(@F)),$(call atlas_cases,$(notdir $(@D)))) $(if $(ATLAS_OWN),2>$@.left || \
 		{ echo "$(COST): the program does not fit: its frames are left out: $$(grep -m 1 -E 'region|error' $@.left)" >&2; : >$@; })
+
+# Optimised for speed on the AVR too, where they alone fit.
+ROUTINE_FLAGS_avr := -O2 -finline -mno-call-prologues
+ROUTINE_PROGRAMS := $(filter $(B)/atlas/routines/%,$(addprefix $(B)/,$(call atlas_programs,$(COST))))
+routine_link = $(CC) $(LIBRARY_FLAGS) -I. -Wl,--gc-sections -DPLATFORM_MPS2 $(ROUTINE_FLAGS_$(COST)) $(ROUTINE_TABLES_$(1)) \
+	-o $@ $(call COST_LINK,cost) $(ROUTINE_SOURCES) tools/atlas/routines.c tools/cost/calibrate.c \
+	$(if $(2),$(COST_PLATFORM_$(2)),$(COST_PLATFORM_cost)) $(filter $(STARTUP)/%,$($(COST)_GLUE)) -lm $($(COST)_LIBS)
+$(ROUTINE_PROGRAMS): $(ROUTINE_SOURCES) tools/atlas/routines.c tools/atlas/routines.h $(LIBRARY_STAMPS)
+	@mkdir -p $(@D)
+	$(call run,LINK)$(call routine_link,$(firstword $(subst -, ,$(basename $(@F)))),$(word 2,$(subst -, ,$(basename $(@F)))))
 ifeq ($(COST),rv32imac)
+$(ROUTINE_PROGRAMS): $(B)/riscv.ld
 $(ATLAS_SCENE_PROGRAMS): $(B)/riscv.ld
 endif
 endif
