@@ -48,35 +48,52 @@ function choice(i) {
 }
 
 function amount(frame, unit) {
-    return unit == "ns" ? sprintf("%.3g ms", frame / 1e6) : sprintf("%.3g million %s", frame / 1e6, unit)
+    return unit == "ns" ? sprintf("%.3g ms", frame / 1e6) : sprintf("%.2f million %s", frame / 1e6, unit)
 }
+
+function rounded(x) { return sprintf(x + 0 < 100 ? "%.3g" : "%.0f", x) }
 
 function told(i,   promised) {
     promised = field(i, "promised")
     return sprintf("%s: %s a frame, %s a covered pixel, %s%s; errs by %s, %s", choice(i), \
         amount(field(i, "frame"), field(i, "unit")), field(i, "per_pixel"), \
-        (field(i, "unit") == "instructions" ? "at most " : "") sprintf("%.3g frames a second", field(i, "frames_per_second")), \
+        (field(i, "unit") == "instructions" ? "at most " : "") rounded(field(i, "frames_per_second")) " frames a second", \
         field(i, "clock_mhz") == "" ? "" : " at " field(i, "clock_mhz") " MHz", field(i, "max_error"), \
         promised == "" ? "nothing promised" : "promised " promised)
 }
 
-function words(p,   part, k, i, last, within) {
+# Of the front, the next that is cheaper, or (dearer = 1) that errs less.
+function neighbour(i, dearer,   k, best) {
+    for (k = 1; k <= count; k++) {
+        if (plot[k] == plot[i] && k != i && field(k, "front") == "yes" && (frame[k] > frame[i]) == dearer &&
+            (!best || (frame[k] < frame[best]) == dearer)) {
+            best = k
+        }
+    }
+    return best
+}
+
+function line(head, text) { printf "  %-20s %s\n", head, text }
+
+function words(p,   part, k, i, from, cheap, exact) {
     split(p, part, SUBSEP)
     print part[1] " on " title[part[2]] ":"
+    from = 1
     for (k = 1; k <= limits; k++) {
         i = cheapest(p, limit[k])
-        if (i && (k == limits || i != cheapest(p, limit[k + 1]))) {
-            within = limit[k] == 255 ? "any error" : "within " limit[k] (limit[k] == 1 ? " code" : " codes")
-            printf "  %-18s %s\n", within, told(i)
-        } else if (!i) {
-            printf "  within %-11s nothing\n", limit[k] (limit[k] == 1 ? " code" : " codes")
-        }
+        if (k < limits && i == cheapest(p, limit[k + 1])) { continue }
+        line(k == limits ? (from == k ? "any error" : limit[from] " codes and more") : \
+            "within " (from == k ? "" : limit[from] "-") limit[k] (limit[k] == 1 ? " code" : " codes"), i ? told(i) : "nothing")
+        from = k + 1
     }
     if (p in knee) {
         i = knee[p]
-        printf "  %-18s %s\n", "the knee", choice(i) ": what is cheaper errs by far more, what errs less costs far more"
+        cheap = neighbour(i, 0)
+        exact = neighbour(i, 1)
+        line("the knee", choice(i) sprintf("; %s costs %.2f times as much and errs %.3g times as much, %s costs %.2f times and errs %.2f times as much", \
+            choice(cheap), frame[cheap] / frame[i], error[cheap] / error[i], choice(exact), frame[exact] / frame[i], error[exact] / error[i]))
     } else {
-        printf "  %-18s %s\n", "the knee", "none: the curve has no corner"
+        line("the knee", "none: the front has no corner")
     }
 }
 
