@@ -101,8 +101,8 @@ static void print_row(const char *target, const char *unit, const routine_varian
 
 /* --------------------------------------------------------------------------------------------------------- the host */
 
-/* Nanoseconds of a call, the least of some runs. What calls and loop take is not taken off: this processor does them beside
- * the routine. */
+/* Nanoseconds of a call, the least of some runs. What calls and loop take is not taken off: this processor does them
+ * beside the routine. */
 static double timed(routine_function function, const routine_input *inputs)
 {
     static routine_function volatile called;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # The page: tools/atlas/page.sh ATLAS, from ATLAS/*.csv and ATLAS/pictures; writes ATLAS/index.html, advice.csv, and
-# front.svg, the picture of scene A on the Cortex-M0+ alone.
+# front.svg, the plot of scene A on the Cortex-M0+ alone.
 set -euo pipefail
 
 atlas=$1
@@ -147,7 +147,7 @@ awk -v work="$work" '
 mv "$atlas/index.html.part" "$atlas/index.html"
 
 # For where a picture stands alone, in either light.
-if [ -s "$work/A-m0plus-cycles.svg" ]; then
-    awk -v defs=1 -f $here/plot_svg.awk "$work/A-m0plus-cycles.svg" | sed 's|<svg \([^>]*\)>|<svg \1 width="630" height="510"><style>svg{font:11px sans-serif;background:var(--page)}:root{--page:#fff;--ink:#1b2430;--grid:#d5dce5;--fixed:#1763b6;--float:#c2570c;--peer:#7a3fa0;--front:#b5dcc0}@media (prefers-color-scheme:dark){:root{--page:#12161c;--ink:#e3e9f0;--grid:#313a46;--fixed:#6fb0f5;--float:#f29a55;--peer:#c79aea;--front:#2f5f3f}}</style>|' >"$atlas/front.svg"
+if [ -s "$work/A-m0plus.svg" ]; then
+    awk -v defs=1 -f $here/plot_svg.awk "$work/A-m0plus.svg" | sed 's|<svg \([^>]*\)>|<svg \1 width="630" height="510"><style>svg{font:11px sans-serif;background:var(--page)}:root{--page:#fff;--ink:#1b2430;--grid:#d5dce5;--fixed:#1763b6;--float:#c2570c;--peer:#7a3fa0;--front:#b5dcc0}@media (prefers-color-scheme:dark){:root{--page:#12161c;--ink:#e3e9f0;--grid:#313a46;--fixed:#6fb0f5;--float:#f29a55;--peer:#c79aea;--front:#2f5f3f}}</style>|' >"$atlas/front.svg"
 fi
 rm -rf "$work"

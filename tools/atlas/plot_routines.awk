@@ -7,7 +7,7 @@
 # Writes FOLDER/ROUTINE-TARGET.svg. Filled: the library's; hollow: the atlas's own and the C library's.
 BEGIN {
     FS = ","
-    width = 420; height = 320; left = 72; right = 408; top = 34; bottom = 270
+    width = 420; height = 320; left = 82; right = 408; top = 34; bottom = 270
     y_least = 1e-5; y_most = 1e4
 }
 /^#/ || NF == 0 { next }
@@ -79,7 +79,7 @@ function draw(p,   part, n, least, most, list, decade, step) {
     gsub(/-/, " ", name)
     printf "set title \"%s: %s\" textcolor rgb '#000001' font 'sans-serif,12' offset 0,-0.4\n", name, title[part[2]]
     printf "set xlabel '%s a call, average' textcolor rgb '#000001' offset 0,0.3\n", unit[p]
-    print "set ylabel 'greatest error, ulp of Q15 (2^{-15})' textcolor rgb '#000001' offset 0.5,0"
+    print "set ylabel 'greatest error, ulp of Q15' textcolor rgb '#000001' offset 1,0"
     for (n = 1; n <= rows[p]; n++) { printf "%s", label(text[p, n], x[p, n], y[p, n], colour_of(kind[p, n])) }
     list = points(p, "other_fixed", "#000003", 6) points(p, "other_float", "#000004", 6) points(p, "libm", "#000005", 4) \
         points(p, "own_fixed", "#000003", 7) points(p, "own_float", "#000004", 7)

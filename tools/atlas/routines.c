@@ -49,7 +49,7 @@ static void count(const routine_variant *variant)
 {
     uint32_t state = ROUTINE_SEED, steps = 0, worst = 0;
     uint64_t hash = HASH_START;
-    for (uint8_t i = 0; i < INPUTS; i++) {
+    for (int i = 0; i < INPUTS; i++) {
         const routine_input in = routine_next(&state);
         routine_result out = {{0, 0, 0}};
         const uint32_t empty = counted_calls(nothing, &in, &out);

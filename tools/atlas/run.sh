@@ -5,11 +5,38 @@
 #
 #     tools/atlas/run.sh frames BUILD TARGET PROGRAM REPORT    an empty program did not fit; then the report is empty too
 #     tools/atlas/run.sh judge JUDGE TABLE REPORT...           the rows of a scene, FOLDER/TARGET.txt each
-#     tools/atlas/run.sh merge ATLAS SCENE...                  ATLAS/frames.csv and memory.csv of all scenes
+#     tools/atlas/run.sh merge ATLAS SCENE...                  ATLAS/frames.csv and frame-memory.csv of all scenes
+#     tools/atlas/run.sh routines ATLAS TARGET...              ATLAS/routines.csv
+#     tools/atlas/run.sh stages BUILD SCENE TABLE PROGRAM STAGES          profiles of the scene's frames
+#     tools/atlas/run.sh pictures BUILD ATLAS SCENE VARIABLE SIZE         ATLAS/pictures/SCENE/...
+#     tools/atlas/run.sh size|effects BUILD TABLE COMMAND...   what COMMAND, a make, finds; a table without rows if it fails
+#     tools/atlas/run.sh how CC FLAGS RP2040JS [PROCESSOR CC FLAGS]...    versions
+#     tools/atlas/run.sh variable SCENE                        of a built-in scene
+#     tools/atlas/run.sh snapshot ATLAS FOLDER                 what is committed; the README's words
+#     tools/atlas/run.sh check ATLAS FOLDER SCENE...           is what is committed well formed, and are its errors those of
+#                                                              fresh frames? ATLAS/programs/SCENE/judge draws them
 set -euo pipefail
 
 same() { # INPUTS... -- REPORT
     [ -f "$report" ] && [ -f "$report.of" ] && [ "$(cksum "$@")" = "$(cat "$report.of")" ]
+}
+
+# The built-in scenes, a line each: its name, its variable.
+built_in() {
+    awk '
+        /^    \{"/ { row = "" }
+        { row = row $0 }
+        /^ +.*\},$/ && row ~ /^    \{"/ {
+            name = row
+            sub(/^ *\{"/, "", name)
+            sub(/".*/, "", name)
+            match(row, /&[a-z_0-9]+/)
+            print name, substr(row, RSTART + 1, RLENGTH - 1)
+        }' examples/scenes/table.c
+}
+
+words() {
+    awk -f tools/atlas/words.awk "$1/frames.csv" tools/cost/peers.csv "$1/routines.csv"
 }
 
 verb=$1
@@ -30,6 +57,10 @@ frames)
         "$program" >"$report.part" && mv "$report.part" "$report"
     else
         tools/cost/run.sh run "$build" "$target" "$program" "$report" any-ram
+    fi
+    if [ -n "${ATLAS_OWN:-}" ] && grep -q '^failed' "$report"; then
+        echo "$target: the parts of the library that fit it do not draw this scene: its frames are left out" >&2
+        : >"$report"
     fi
     cksum "$program" >"$report.of"
     ;;
@@ -107,8 +138,7 @@ stages)
 pictures)
     build=$1 folder=$2/pictures/$3 variable=$4 size=$5
     mkdir -p "$folder"
-    name=$(awk -F '[",]' -v scene="&$variable" '{ for (i = 1; i <= NF; i++) { gsub(/ /, "", $i); if ($i == scene) { print $2 } } }' \
-        examples/scenes/table.c)
+    name=$(built_in | awk -v variable="$variable" '$2 == variable { print $1 }')
     echo "  PICTURES $3"
     "$build/glint-render" "$name" --size "$size" --tolerance 1 --tiers "$folder/tiers.png" -o "$folder/frame.png"
     "$build/glint-render" "$name" --size "$size" --shading gouraud -o "$folder/gouraud.png"
@@ -157,8 +187,36 @@ how)
         shift 3
     done
     ;;
+variable)
+    built_in | awk -v name="$1" '$1 == name { print $2 }'
+    ;;
+snapshot)
+    atlas=$1 folder=$2
+    mkdir -p "$folder"
+    rm -f "$folder"/*.csv
+    cp "$atlas"/index.html "$atlas"/front.svg "$atlas"/*.csv "$folder"
+    words "$folder" >"$atlas/words"
+    tools/replace-marked.sh README.md atlas "$atlas/words"
+    echo "Written: $folder, $(du -sk "$folder" | cut -f 1) KB, and the atlas's words of README.md"
+    ;;
+check)
+    atlas=$1 folder=$2
+    shift 2
+    good=1
+    for scene in "$@"; do
+        "$atlas/programs/$scene/judge" errors >"$atlas/programs/$scene/errors.csv" || good=
+    done
+    fresh=()
+    for scene in "$@"; do fresh+=("$atlas/programs/$scene/errors.csv"); done
+    awk -f tools/atlas/check.awk "${fresh[@]}" "$folder/frames.csv" || good=
+    awk -f tools/atlas/check_page.awk "$folder/index.html" || good=
+    words "$folder" >"$atlas/words"
+    awk 'inside && /^<!-- end -->/ { exit } inside && NF { print } /^<!-- atlas: / { inside = 1 }' README.md |
+        cmp -s - "$atlas/words" || { echo "README.md does not say what $folder teaches: make atlas-snapshot" >&2; good=; }
+    [ -n "$good" ] && echo "same  $folder: errors of the fixed backend, words"
+    ;;
 *)
-    echo "usage: tools/atlas/run.sh frames BUILD TARGET PROGRAM REPORT | judge JUDGE TABLE REPORT... | merge ATLAS SCENE..." >&2
+    sed -n 's/^#     /usage: /p' "$0" >&2
     exit 2
     ;;
 esac

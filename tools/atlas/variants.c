@@ -92,7 +92,7 @@ static uint16_t power_q15[POWER_CELLS + 1], sine_q15[SINE_CELLS + 1];
 
 static void fill_roots(uint16_t *table, int bits)
 {
-    for (uint16_t cell = 0; cell < CELLS(bits); cell++) {
+    for (size_t cell = 0; cell < CELLS(bits); cell++) {
         const uint32_t middle_q30 =
             ((uint32_t)1 << 30) + ((uint32_t)cell << (30 - bits)) + ((uint32_t)1 << (29 - bits));
         const uint32_t root = glint_square_root_u64(((uint64_t)1 << 62) / middle_q30);
@@ -111,14 +111,14 @@ void routine_begin(void)
     fill_roots(coarse_q16, COARSE_BITS);
     fill_roots(middle_q16, MIDDLE_BITS);
     fill_roots(fine_q16, FINE_BITS);
-    for (uint16_t i = 0; i <= POWER_CELLS; i++) {
+    for (int i = 0; i <= POWER_CELLS; i++) {
         uint32_t x_q31 = (uint32_t)i << 23;
         for (int power = 1; power < ROUTINE_EXPONENT; power *= 2) {
             x_q31 = squared_q31(x_q31);
         }
         power_q15[i] = (uint16_t)((x_q31 + ((uint32_t)1 << 15)) >> 16);
     }
-    for (uint16_t i = 0; i <= SINE_CELLS; i++) {
+    for (int i = 0; i <= SINE_CELLS; i++) {
         int32_t sine_q30, cosine_q30;
         glint_sine_cosine_q30((uint16_t)(i * (16384 / SINE_CELLS)), &sine_q30, &cosine_q30);
         sine_q15[i] = (uint16_t)((sine_q30 + ((int32_t)1 << 14)) >> 15);

@@ -3,6 +3,8 @@
 # The atlas, what accuracy costs in time: `make atlas`. The frames are counted by the programs of cost.mk, with one scene
 # each (tools/atlas/cases.c), so that what is finished is kept: a part runs again when its program is another.
 
+TARGET_SOURCES += $(sort $(wildcard tools/atlas/*.c))
+
 ATLAS_LIST ?= tools/atlas/scenes.txt
 ATLAS ?= $(B)/atlas$(if $(QUICK),-quick)
 ATLAS_QUICK := A C-96x64
@@ -14,10 +16,11 @@ atlas_rows := $(shell awk '!/^\#/ && NF { gsub(/ +/, ":"); print }' $(ATLAS_LIST
 $(foreach row,$(atlas_rows),$(eval ATLAS_ROW_$(firstword $(subst :, ,$(row))) := $(subst :, ,$(row))))
 atlas_field = $(word $(2),$(ATLAS_ROW_$(1)))
 ATLAS_SCENES := $(foreach row,$(atlas_rows),$(firstword $(subst :, ,$(row))))
-ifdef QUICK
+ifneq ($(and $(QUICK),$(if $(ATLAS_OWN),,shipped)),)
 ATLAS_SCENES := $(filter $(ATLAS_QUICK),$(ATLAS_SCENES))
 endif
 ATLAS_SHOWN := $(filter $(ATLAS_SHOWN),$(ATLAS_SCENES))
+ATLAS_OWN_SOURCE := $(foreach scene,$(ATLAS_SCENES),$(call atlas_field,$(scene),6))
 atlas_defines = '-DATLAS_NAME="$(1)"' -DATLAS_SCENE=$(call atlas_field,$(1),2) -DATLAS_BAND_PX=$(call atlas_field,$(1),4) \
 	$(join -DATLAS_WIDTH_PX= -DATLAS_HEIGHT_PX=,$(subst x, ,$(call atlas_field,$(1),3)))
 atlas_cases = $(call atlas_defines,$(1)) tools/atlas/cases.c $(call atlas_field,$(1),6)
@@ -44,7 +47,7 @@ atlas_programs = $(foreach scene,$(call atlas_on,$(1)),$(foreach kind,$(ATLAS_KI
 # ------------------------------------------------------------------------------------------------------------- the runs
 
 ATLAS_TARGETS := $(shell awk '!/^\#/ && NF { print $$1 }' tools/atlas/targets.txt)
-ifneq ($(filter run-atlas%,$(MAKECMDGOALS)),)
+ifneq ($(findstring atlas,$(MAKECMDGOALS)),)
 ATLAS_PRESENT := $(shell for target in $(filter-out host,$(ATLAS_TARGETS)); do \
 	tools/cost/run.sh probe $$target 2>/dev/null && echo $$target; done) host
 endif
@@ -61,6 +64,21 @@ run-atlas: $(ATLAS)/index.html ## The same with what is installed
 
 .PHONY: run-atlas-frames
 run-atlas-frames: $(ATLAS)/frames.csv
+
+.PHONY: atlas-snapshot
+atlas-snapshot: ## Commit what the last `make atlas` made: docs/atlas, and what it teaches in README.md
+	@test -f $(ATLAS)/index.html || { echo "make atlas-snapshot: make atlas first" >&2; exit 1; }
+	@tools/atlas/run.sh snapshot $(ATLAS) docs/atlas
+
+.PHONY: atlas-check
+atlas-check: $(ATLAS_SCENES:%=$(ATLAS)/programs/%/judge) ## docs/atlas is well formed, its errors those of frames drawn now
+	@tools/atlas/run.sh check $(ATLAS) docs/atlas $(ATLAS_SCENES)
+
+# For a scene of one's own: the tree and the build folder are the script's.
+$(B)/glint-atlas: tools/atlas/glint-atlas.sh
+	@mkdir -p $(@D)
+	$(call run,MAKE)sed -e 's|@TREE@|$(CURDIR)|; s|@BUILD@|$(B)|' $< >$@.part && chmod +x $@.part && mv $@.part $@
+tools: $(B)/glint-atlas
 
 # Built by one make a processor, since all programs share its objects.
 .PHONY: $(COST_PROCESSORS:%=atlas-build-%)
@@ -149,10 +167,10 @@ ATLAS_TIMED_BEFORE := $(ATLAS)/frames/$(1)/host.txt
 endef
 
 ATLAS_HOST_OBJECTS := $(call objects,tools/cost/frames.c $(addprefix $(SELFTEST)/,selftest_report.c platform_stdio.c))
-$(ATLAS)/programs/%/judge: tools/atlas/cases.c $(call objects,tools/cost/judge.c) $(ATLAS_HOST_OBJECTS) $(HOST_ARCHIVES) $(ATLAS_LIST)
+$(ATLAS)/programs/%/judge: tools/atlas/cases.c $(call objects,tools/cost/judge.c) $(ATLAS_HOST_OBJECTS) $(HOST_ARCHIVES) $(ATLAS_LIST) $(ATLAS_OWN_SOURCE)
 	@mkdir -p $(@D)
 	$(call run,LINK)$(CC) $(HOST_FLAGS) $(LDFLAGS) -o $@ $(call atlas_cases,$*) $(filter %.o,$^) $(HOST_ARCHIVES) -lm
-$(ATLAS)/programs/%/host: tools/atlas/cases.c $(call objects,tools/atlas/host.c) $(ATLAS_HOST_OBJECTS) $(HOST_ARCHIVES) $(ATLAS_LIST)
+$(ATLAS)/programs/%/host: tools/atlas/cases.c $(call objects,tools/atlas/host.c) $(ATLAS_HOST_OBJECTS) $(HOST_ARCHIVES) $(ATLAS_LIST) $(ATLAS_OWN_SOURCE)
 	@mkdir -p $(@D)
 	$(call run,LINK)$(CC) $(HOST_FLAGS) $(LDFLAGS) -o $@ $(call atlas_cases,$*) $(filter %.o,$^) $(HOST_ARCHIVES)
 
@@ -180,7 +198,7 @@ $(ATLAS)/missing.txt: FORCE
 # Within a flavour of cost.mk.
 ifdef COST
 ATLAS_SCENE_PROGRAMS := $(foreach scene,$(call atlas_on,$(COST)),$(ATLAS_KINDS_$(COST):%=$(B)/atlas/$(scene)/%.elf))
-$(ATLAS_SCENE_PROGRAMS): $(B)/atlas/%.elf: $(COST_PREREQUISITES) tools/atlas/cases.c $(ATLAS_LIST)
+$(ATLAS_SCENE_PROGRAMS): $(B)/atlas/%.elf: $(COST_PREREQUISITES) tools/atlas/cases.c $(ATLAS_LIST) $(ATLAS_OWN_SOURCE)
 	@mkdir -p $(@D)
 	$(call run,LINK)$(call cost_link,$(basename $(@F)),$(call atlas_cases,$(notdir $(@D)))) $(if $(ATLAS_OWN),2>$@.left || \
 		{ echo "$(COST): the program does not fit: its frames are left out: $$(grep -m 1 -E 'region|error' $@.left)" >&2; : >$@; })

@@ -78,7 +78,7 @@ cppcheck: ## cppcheck over library, tools, examples and tests
 
 # Generated files are what their generators print today.
 .PHONY: generated-check
-generated-check: $(B)/generate-tables $(B)/generate-textures $(MESH_GENERATOR) ## Generated tables, meshes and textures are what their generators make
+generated-check: $(B)/generate-tables $(B)/generate-textures $(MESH_GENERATOR) atlas-check ## Generated tables, meshes, textures and docs/atlas are what their generators make
 	@tools/check-generated.sh $(B) $(MESH_GENERATOR)
 
 .PHONY: generate
