@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
-# The table of all frames: awk -f frames.awk targets.txt HOST-REPORT... FRAMES.csv... Beside the columns of judge.c:
+# The table of all frames: awk -f frames.awk targets.txt HOST-REPORT... TABLE-details.csv... TABLE.csv...
+# Beside the columns of judge.c:
 #
+#     covered            pixels that the scene covers
 #     clock_mhz, frames_per_second   at the clock of targets.txt; of instructions, at one a cycle: at most so many
 #     lower, upper       quartiles of the host's times; empty for what is counted
 #     front              yes: no frame of the scene on this target is cheaper and errs less (the Pareto front)
@@ -25,12 +27,17 @@ FILENAME ~ /host\.txt$/ {
     next
 }
 FNR == 1 { next }
+FILENAME ~ /-details\.csv$/ {
+    covered[$2] = $9
+    next
+}
 {
     line[++count] = $0
     plot[count] = $1 SUBSEP $3
     cost[count] = $7
     error[count] = $9
     target[count] = $1
+    scene[count] = $3
     spread[count] = $3 SUBSEP $4 SUBSEP $5 SUBSEP $6
 }
 
@@ -76,11 +83,11 @@ END {
     for (i = 1; i <= count; i++) { front[i] = is_front(i) }
     mark_knees()
     print "target,unit,scene,backend,shading,tolerance,frame,per_pixel,max_error,psnr_db,promised," \
-        "clock_mhz,frames_per_second,lower,upper,front,knee"
+        "covered,clock_mhz,frames_per_second,lower,upper,front,knee"
     for (i = 1; i <= count; i++) {
         host = target[i] == "host"
         hertz = host ? 1e9 : 1e6 * clock[target[i]]
-        print line[i] "," (host ? "" : clock[target[i]]) "," sprintf("%.4g", hertz / cost[i]) "," \
+        print line[i] "," covered[scene[i]] "," (host ? "" : clock[target[i]]) "," sprintf("%.4g", hertz / cost[i]) "," \
             (host ? lower[spread[i]] "," upper[spread[i]] : ",") "," (front[i] ? "yes" : "") "," (knee[i] ? "yes" : "")
     }
 }

@@ -50,10 +50,7 @@ is_peers {
     lower[p, n] = value("lower")
     upper[p, n] = value("upper")
     front[p, n] = value("front")
-    if (value("per_pixel") > finest[value("scene")] + 0) { # it has one decimal: the larger, the nearer
-        finest[value("scene")] = value("per_pixel")
-        pixels[value("scene")] = value("frame") / value("per_pixel")
-    }
+    pixels[value("scene")] = value("covered")
     unit[p] = value("unit")
 }
 
@@ -128,7 +125,7 @@ function draw(p,   part, n, k, area, marks, m, list, fps) {
     printf "set x2label 'frames a second%s' textcolor rgb '#000001' offset 0,-0.6\n", !clock[part[2]] ? "" : \
         sprintf(" at %d MHz%s", clock[part[2]], unit[p] == "cycles" ? "" : ", one instruction a cycle")
     printf "set title \"%s: %s\" textcolor rgb '#000001' font 'sans-serif,12' offset 0,-0.4\n", part[1], title[part[2]]
-    printf "set xlabel '%s a covered pixel; times %d: a frame' textcolor rgb '#000001' offset 0,0.3\n", unit[p], int(area / 10 + 0.5) * 10
+    printf "set xlabel '%s a covered pixel; times %d: a frame' textcolor rgb '#000001' offset 0,0.3\n", unit[p], area
     print "set ylabel 'greatest error, codes of 1/255' textcolor rgb '#000001' offset 1.5,0"
     fixed_labels(p)
     for (n = 1; n <= peers[p]; n++) { printf "%s", label(peer_text[p, n], peer_x[p, n], peer_y[p, n], "#000005") }

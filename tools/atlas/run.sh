@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# The atlas's runs. A run is kept while what it ran is the same: REPORT.of has the program's checksum.
+# The atlas's runs. A run is kept while what it ran is the same: REPORT.of has the checksum of the program's code and data.
 #
 #     tools/atlas/run.sh frames BUILD TARGET PROGRAM REPORT    an empty program did not fit; then the report is empty too
 #     tools/atlas/run.sh judge JUDGE TABLE REPORT...           the rows of a scene, FOLDER/TARGET.txt each
@@ -17,8 +17,20 @@
 #                                                              fresh frames? ATLAS/programs/SCENE/judge draws them
 set -euo pipefail
 
-same() { # INPUTS... -- REPORT
-    [ -f "$report" ] && [ -f "$report.of" ] && [ "$(cksum "$@")" = "$(cat "$report.of")" ]
+# Of what a program loads; not of what is for debuggers, which names lines.
+image() { # TARGET PROGRAM
+    local objcopy=objcopy
+    case $1 in
+    m*) objcopy=arm-none-eabi-objcopy ;;
+    rv*) objcopy=riscv64-unknown-elf-objcopy ;;
+    avr*) objcopy=avr-objcopy ;;
+    esac
+    if [ -s "$2" ]; then "$objcopy" -O binary -R .note.gnu.build-id "$2" "$report.image" && cksum <"$report.image" && rm -f "$report.image"; else echo none; fi
+}
+
+# Is there a report of what has this checksum? As new, for make.
+is_kept() {
+    [ -f "$report" ] && [ "$1" = "$(cat "$report.of" 2>/dev/null)" ] && touch "$report"
 }
 
 # The built-in scenes, a line each: its name, its variable.
@@ -45,10 +57,8 @@ case $verb in
 frames)
     build=$1 target=$2 program=$3 report=$4
     mkdir -p "${report%/*}"
-    if same "$program"; then
-        touch "$report"
-        exit 0
-    fi
+    key=$(image "$target" "$program")
+    is_kept "$key" && exit 0
     rm -f "$report" "$report.of"
     echo "  COUNT $report"
     if [ ! -s "$program" ]; then
@@ -62,7 +72,7 @@ frames)
         echo "$target: the parts of the library that fit it do not draw this scene: its frames are left out" >&2
         : >"$report"
     fi
-    cksum "$program" >"$report.of"
+    echo "$key" >"$report.of"
     ;;
 judge)
     judge=$1 table=$2
@@ -71,7 +81,8 @@ judge)
     for report in "$@"; do
         if [ -s "$report" ]; then
             name=${report##*/}
-            reports+=("${name%.txt}" "$report")
+            name=${name%.txt}
+            reports+=("${name%+*}" "$report")
         fi
     done
     "$judge" "${table%.csv}-details.csv" "${reports[@]}" >"$table.part"
@@ -80,18 +91,20 @@ judge)
 merge)
     atlas=$1
     shift
-    tables=() reports=()
+    tables=() reports=() details=()
     for scene in "$@"; do
+        details+=("$atlas/frames/$scene/frames-details.csv")
         tables+=("$atlas/frames/$scene/frames.csv")
         reports+=("$atlas/frames/$scene/"*.txt)
     done
-    awk -f tools/atlas/frames.awk tools/atlas/targets.txt "$atlas"/frames/*/host.txt "${tables[@]}" >"$atlas/frames.csv.part"
+    awk -f tools/atlas/frames.awk tools/atlas/targets.txt "$atlas"/frames/*/host.txt "${details[@]}" "${tables[@]}" >"$atlas/frames.csv.part"
     mv "$atlas/frames.csv.part" "$atlas/frames.csv"
     {
         echo "target,scene,backend,shading,tolerance,least_bytes,full_bytes,used_bytes"
         for report in "${reports[@]}"; do
             name=${report##*/}
-            awk -v target="${name%.txt}" '$1 == "memory" {
+            name=${name%.txt}
+            awk -v target="${name%+*}" '$1 == "memory" {
                 print target "," $2 "," $3 "," $4 "," ($5 == "-" ? "" : $5) "," $6 "," $7 "," ($8 ? $8 : "")
             }' "$report"
         done
@@ -115,10 +128,8 @@ stages)
     shift 3
     program=$1
     mkdir -p "${report%/*}"
-    if same "$@"; then
-        touch "$report"
-        exit 0
-    fi
+    key=$(image m0plus "$program")$(cksum "$2" tools/cost/rp2040.js)
+    is_kept "$key" && exit 0
     echo "  PROFILE $scene"
     for shading in exact Gouraud flat "auto 1"; do
         node tools/cost/rp2040.js "$build/cost/node" "$program" --profile "$scene fixed $shading" | awk \
@@ -133,7 +144,7 @@ stages)
             }'
     done >"$report.part"
     mv "$report.part" "$report"
-    cksum "$@" >"$report.of"
+    echo "$key" >"$report.of"
     ;;
 pictures)
     build=$1 folder=$2/pictures/$3 variable=$4 size=$5

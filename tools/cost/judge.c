@@ -19,6 +19,7 @@
  * tolerance), and
  *     triangles   drawn: that face the eye and are on the display
  *     useful, given   bytes of memory that the frame can make use of, and that it got; empty where it got all
+ *     covered     pixels of the display that the scene covers
  *
  * Errors are of frames drawn here, on the host. The fixed backend draws the same bits everywhere: the hash of each of
  * its frames, drawn on the target in RGB565, is compared with the host's. For float they are the host's alone.
@@ -275,8 +276,8 @@ static void read_cost(const report *r, char **words)
     printf("%s,%s,%s,%s,%s,%s,%.0f,%.1f,", r->target, r->unit, scene, backend_name, shading, codes, frame,
            frame / m->covered);
     print_errors(m);
-    fprintf(details, "%s,%s,%s,%s,%s,%lu,%s,%s\n", r->target, scene, backend_name, shading, codes,
-            (unsigned long)m->triangles, r->useful, r->given);
+    fprintf(details, "%s,%s,%s,%s,%s,%lu,%s,%s,%lu\n", r->target, scene, backend_name, shading, codes,
+            (unsigned long)m->triangles, r->useful, r->given, (unsigned long)m->covered);
 }
 
 static void read_line(report *r, char *line)
@@ -346,7 +347,7 @@ int main(int argc, char **argv)
         return 2;
     }
     puts("target,unit,scene,backend,shading,tolerance,frame,per_pixel,max_error,psnr_db,promised");
-    fputs("target,scene,backend,shading,tolerance,triangles,useful,given\n", details);
+    fputs("target,scene,backend,shading,tolerance,triangles,useful,given,covered\n", details);
     for (int i = 2; i < argc; i += 2) {
         read_report(argv[i], argv[i + 1]);
     }

@@ -32,14 +32,18 @@ ATLAS_KINDS_m0plus := $(ATLAS_KIND) clock
 ATLAS_KINDS_m3 := $(ATLAS_KIND)
 ATLAS_KINDS_m4f := cost
 ATLAS_KINDS_rv32imac := $(ATLAS_KIND)
-ATLAS_KINDS_avr := cost
+ATLAS_KINDS_avr := cost $(if $(QUICK),,float)
 COST_RAM_fixed := $(COST_RAM_cost)
 COST_DEFINE_fixed := -DPROGRAM_BACKENDS=1
 COST_PLATFORM_fixed = $(COST_PLATFORM_cost)
+# Of the AVR, whose flash does not hold both backends: the float one with the parts of the other.
+COST_DEFINE_float := -DPROGRAM_BACKENDS=2 -DPROGRAM_MEMORY_BYTES=12800 -DFRAMES_IN_FLOAT
+COST_PLATFORM_float = $(COST_PLATFORM_cost)
 COST_RAM_clock := $(COST_RAM_cost)
 COST_DEFINE_clock := $(COST_DEFINE_fixed)
 COST_PLATFORM_clock := $(COST_PLATFORM_cycles)
 
+# Of the targets' reports, one is in two: avr-cycles+float.txt.
 atlas_on = $(foreach scene,$(ATLAS_SCENES),$(if $(filter avr,$(1)),$(if $(filter all,$(call atlas_field,$(scene),5)),$(scene)),$(scene)))
 atlas_programs = $(foreach scene,$(call atlas_on,$(1)),$(foreach kind,$(ATLAS_KINDS_$(1)),atlas/$(scene)/$(kind).elf)) \
 	$(if $(ATLAS_OWN),,$(addprefix atlas/routines/,$(foreach tables,full small,$(tables).elf $(if $(filter m0plus,$(1)),$(tables)-clock.elf))))
@@ -51,7 +55,7 @@ ifneq ($(findstring atlas,$(MAKECMDGOALS)),)
 ATLAS_PRESENT := $(shell for target in $(filter-out host,$(ATLAS_TARGETS)); do \
 	tools/cost/run.sh probe $$target 2>/dev/null && echo $$target; done) host
 endif
-atlas_kind = $(if $(filter m0plus-cycles,$(1)),clock,$(if $(filter avr m4f,$(call cost_processor,$(1))),cost,$(ATLAS_KIND)))
+atlas_kind = $(if $(filter %+float,$(1)),float,$(if $(filter m0plus-cycles,$(1)),clock,$(if $(filter avr m4f,$(call cost_processor,$(1))),cost,$(ATLAS_KIND))))
 
 .PHONY: atlas
 atlas: ## What accuracy costs in time, on every target, as a page: build/atlas/index.html. Installs what is missing; QUICK=1
@@ -96,12 +100,13 @@ $(foreach processor,$(COST_PROCESSORS),$(eval $(call atlas_built,$(processor))))
 endif
 
 define atlas_frames # scene, target
-$(ATLAS)/frames/$(1)/$(2).txt: $(B)/cost/$(call cost_processor,$(2))/atlas/$(1)/$(call atlas_kind,$(2)).elf \
+$(ATLAS)/frames/$(1)/$(2).txt: $(B)/cost/$(call cost_processor,$(2:+float=))/atlas/$(1)/$(call atlas_kind,$(2)).elf \
 		$(if $(filter m0plus-cycles,$(2)),$(COST_NODE)/node_modules/rp2040js)
-	@tools/atlas/run.sh frames $(B) $(2) $$< $$@
+	@tools/atlas/run.sh frames $(B) $(2:+float=) $$< $$@
 ATLAS_REPORTS_$(1) += $(ATLAS)/frames/$(1)/$(2).txt
 endef
-$(foreach target,$(filter-out host,$(ATLAS_PRESENT)),$(foreach scene,$(call atlas_on,$(call cost_processor,$(target))),$(eval \
+ATLAS_COUNTING := $(filter-out host,$(ATLAS_PRESENT)) $(if $(QUICK),,$(patsubst %,%+float,$(filter avr-cycles,$(ATLAS_PRESENT))))
+$(foreach target,$(ATLAS_COUNTING),$(foreach scene,$(call atlas_on,$(call cost_processor,$(target:+float=))),$(eval \
 	$(call atlas_frames,$(scene),$(target)))))
 ATLAS_COUNTED := $(foreach scene,$(ATLAS_SCENES),$(ATLAS_REPORTS_$(scene)))
 
@@ -200,8 +205,13 @@ ifdef COST
 ATLAS_SCENE_PROGRAMS := $(foreach scene,$(call atlas_on,$(COST)),$(ATLAS_KINDS_$(COST):%=$(B)/atlas/$(scene)/%.elf))
 $(ATLAS_SCENE_PROGRAMS): $(B)/atlas/%.elf: $(COST_PREREQUISITES) tools/atlas/cases.c $(ATLAS_LIST) $(ATLAS_OWN_SOURCE)
 	@mkdir -p $(@D)
-	$(call run,LINK)$(call cost_link,$(basename $(@F)),$(call atlas_cases,$(notdir $(@D)))) $(if $(ATLAS_OWN),2>$@.left || \
-		{ echo "$(COST): the program does not fit: its frames are left out: $$(grep -m 1 -E 'region|error' $@.left)" >&2; : >$@; })
+	$(call run,LINK)$(call cost_link,$(basename $(@F)),$(call atlas_cases,$(notdir $(@D)))) 2>$@.left || \
+		{ grep -q 'will not fit in region\|overflowed by' $@.left || { cat $@.left >&2; exit 1; }; \
+		echo "$(COST): the program of $(notdir $(@D)) does not fit its flash: its frames are left out" >&2; : >$@; }
+ifeq ($(COST),avr)
+$(filter %/float.elf,$(ATLAS_SCENE_PROGRAMS)): COST_LINKED := $(call objects,$(filter-out tools/cost/cases.c tools/cost/frames.c,$(COST_FIRMWARE))) \
+	tools/cost/frames.c tools/atlas/small_float.c
+endif
 
 # Optimised for speed on the AVR too, where they alone fit.
 ROUTINE_FLAGS_avr := -O2 -finline -mno-call-prologues
