@@ -176,11 +176,13 @@ effects)
     build=$1 table=$2
     shift 2
     mkdir -p "${table%/*}"
-    if "$@" >"$table.log" 2>&1; then
+    rm -f "$build/effects/effects.csv"
+    "$@" >"$table.log" 2>&1 || echo "make atlas: make effects does not hold: $table.log" >&2
+    if [ -f "$build/effects/effects.csv" ]; then
         cp "$build/effects/effects.csv" "$table"
     else
-        echo "make atlas: what effects add is left out, as make effects fails: $table.log" >&2
-        head -n 1 "$build/effects/effects.csv" >"$table" 2>/dev/null || : >"$table"
+        echo "make atlas: what effects add is left out" >&2
+        : >"$table"
     fi
     ;;
 how)
