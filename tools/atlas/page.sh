@@ -99,10 +99,10 @@ done >"$work/routines"
         plot effects
         echo '</div>'
         cat <<'TEXT'
-<ul class="legend"><li><i style="background:var(--fixed)"></i> code; Cortex-M0+, fixed</li>
-<li><i style="background:var(--float)"></i> constants; Cortex-M4F, float</li></ul>
-<p>To the left the whole program, its scene and its start-up code included: a backend, or a variant of it with fewer
-parts, on each processor. To the right what a part adds to one without it. The library has no variables: its RAM is what
+<ul class="legend"><li>Of variants: <i style="background:var(--fixed)"></i> code <i style="background:var(--float)"></i> constants</li>
+<li>Of parts: <i style="background:var(--fixed)"></i> Cortex-M0+, fixed <i style="background:var(--float)"></i> Cortex-M4F, float</li></ul>
+<p>Of a variant it is the whole program, its scene and its start-up code included: a backend, or a variant of it with fewer
+parts. Of a part it is what a program with it is larger by than one without. The library has no variables: its RAM is what
 the caller gives, and the stack.</p>
 TEXT
         awk -v part=plain -f $here/page_tables.awk $targets "$atlas/size.csv" | details "Sizes of variants, bytes"

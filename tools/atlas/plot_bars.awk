@@ -53,7 +53,7 @@ function value(name) { return $column[name] }
 function begin(name, width, height, left, heading, axis) {
     printf "reset\nset output '%s/%s.svg'\n", folder, name
     print "set terminal svg size " width "," height " dynamic font 'sans-serif,11'"
-    printf "set margins at screen %.4f, screen %.4f, screen %.4f, screen %.4f\n", left / width, 1 - 14 / width, 52 / height, 1 - 30 / height
+    printf "set margins at screen %.4f, screen %.4f, screen %.4f, screen %.4f\n", left / width, 1 - 24 / width, 52 / height, 1 - 30 / height
     print "set border 3 lc rgb '#000001'\nset tics textcolor rgb '#000001' nomirror out\nset grid x lc rgb '#000002' lw 0.6\nset style fill solid 1 noborder"
     printf "set title \"%s\" textcolor rgb '#000001' font 'sans-serif,12' offset 0,-0.4\n", heading
     printf "set xlabel '%s' textcolor rgb '#000001' offset 0,0.3\n", axis

@@ -8,7 +8,7 @@
 # 5 peers, 6 front.
 BEGIN {
     FS = ","
-    width = 420; height = 340; left = 52; right = 408; top = 62; bottom = 286
+    width = 420; height = 340; left = 52; right = 400; top = 62; bottom = 286
     point["exact"] = 7; point["q2"] = 5; point["q1"] = 9; point["Gouraud"] = 13; point["flat"] = 11; point["auto"] = 6
 }
 /^#/ || NF == 0 { next }
@@ -42,7 +42,7 @@ is_peers {
     p = value("scene") SUBSEP value("target")
     if (!(p in rows)) { plots[++plot_count] = p }
     n = ++rows[p]
-    x[p, n] = value("per_pixel")
+    x[p, n] = value("frame") / value("covered")
     y[p, n] = value("max_error")
     backend[p, n] = value("backend")
     shading[p, n] = value("shading")
@@ -168,7 +168,7 @@ function order_front(p,   n, k, t) {
     }
     for (n = 1; n <= front_count; n++) {
         for (k = n + 1; k <= front_count; k++) {
-            if (x[p, order[k]] + 0 < x[p, order[n]] + 0) { t = order[n]; order[n] = order[k]; order[k] = t }
+            if (x[p, order[k]] < x[p, order[n]] || (x[p, order[k]] == x[p, order[n]] && y[p, order[k]] > y[p, order[n]])) { t = order[n]; order[n] = order[k]; order[k] = t }
         }
     }
 }

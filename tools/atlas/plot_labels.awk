@@ -28,6 +28,14 @@ function is_free(x0, y0, x1, y1,   i) {
     return 1
 }
 
+# A thin line, which later labels keep off.
+function leader(x0, y0, x1, y1, colour) {
+    add_box((x0 < x1 ? x0 : x1) - 1, (y0 < y1 ? y0 : y1) - 1, (x0 < x1 ? x1 : x0) + 1, (y0 < y1 ? y1 : y0) + 1)
+    return sprintf("set arrow from graph %.4f, graph %.4f to graph %.4f, graph %.4f nohead lw 0.5 lc rgb '%s'\n", \
+        (x0 - area_left) / (area_right - area_left), (area_bottom - y0) / (area_bottom - area_top), \
+        (x1 - area_left) / (area_right - area_left), (area_bottom - y1) / (area_bottom - area_top), colour)
+}
+
 function label(text, x, y, colour,   px, py, width, gap, height, k, x0, y0, dx, dy, far) {
     px = x_px(x); py = y_px(y)
     width = 6.3 * length(text) + 2; gap = 6; height = 12
@@ -39,9 +47,8 @@ function label(text, x, y, colour,   px, py, width, gap, height, k, x0, y0, dx, 
         y0 = py + dy - height / 2
         if (is_free(x0, y0, x0 + width, y0 + height)) {
             add_box(x0, y0, x0 + width, y0 + height)
-            far = k < 8 ? "" : sprintf("set arrow from graph %.4f, graph %.4f to %g,%g nohead lw 0.5 lc rgb '%s'\n", \
-                ((px < x0 ? x0 : px > x0 + width ? x0 + width : px) - area_left) / (area_right - area_left), \
-                (area_bottom - (dy < 0 ? y0 + height - 1 : dy > 0 ? y0 + 1 : py)) / (area_bottom - area_top), x, y, colour)
+            far = k < 8 ? "" : leader(px < x0 ? x0 : px > x0 + width ? x0 + width : px, \
+                dy < 0 ? y0 + height - 1 : dy > 0 ? y0 + 1 : py, px, py, colour)
             return far sprintf("set label \"%s\" at graph %.4f, graph %.4f left textcolor rgb '%s' front\n", text, \
                 (x0 + 1 - area_left) / (area_right - area_left), (area_bottom - py - dy) / (area_bottom - area_top), colour)
         }

@@ -7,7 +7,7 @@
 # Writes FOLDER/ROUTINE-TARGET.svg. Filled: the library's; hollow: the atlas's own and the C library's.
 BEGIN {
     FS = ","
-    width = 420; height = 320; left = 82; right = 408; top = 34; bottom = 270
+    width = 420; height = 320; left = 82; right = 400; top = 34; bottom = 270
     y_least = 1e-5; y_most = 1e4
 }
 /^#/ || NF == 0 { next }

@@ -27,7 +27,19 @@ table == "routines" {
 
 function has(a, b, c, d) { return (a in error) && (b in error) && (c == "" || c in error) && (d == "" || d in error) }
 
-function say(text) { print "- " text }
+# A point of a list, in lines of at most 120 characters.
+function say(text,   words, count, i, row) {
+    count = split(text, words, " ")
+    row = "-"
+    for (i = 1; i <= count; i++) {
+        if (length(row) + 1 + length(words[i]) > 120) {
+            print row
+            row = " "
+        }
+        row = row " " words[i]
+    }
+    print row
+}
 
 function millions(key) { return sprintf("%.1f", frame[key] / 1e6) }
 
