@@ -100,6 +100,9 @@ function words(p,   part, k, i, from, cheap, exact) {
 END {
     if (form == "csv") {
         print "scene,target,within,backend,shading,tolerance,frame,per_pixel,frames_per_second,max_error,promised"
+    } else {
+        print "The cheapest choice within each error, codes of 1/255. Errors are the greatest in this picture; for other views only"
+        print "what is promised holds. The knee: where, on logarithmic axes, the front lies farthest below a line between its ends."
     }
     for (n = 1; n <= plot_count; n++) {
         if (form == "words") {
