@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# The page: tools/atlas/page.sh ATLAS, from ATLAS/*.csv and ATLAS/pictures; writes ATLAS/index.html, advice.csv, and
+# The page: tools/atlas/page.sh ATLAS, from ATLAS/*.csv and ATLAS/pictures; writes ATLAS/index.html, advice.csv, peers.csv, and
 # front.svg, the plot of scene A on the Cortex-M0+ alone.
 set -euo pipefail
 
@@ -14,6 +14,7 @@ rm -rf "$work"
 mkdir -p "$work"
 
 echo "  PAGE  $atlas/index.html"
+grep -v '^#' $peers >"$atlas/peers.csv"
 awk -v form=csv -f $here/advice.awk $targets "$atlas/frames.csv" >"$atlas/advice.csv"
 {
     awk -v folder="$work" -f $here/plot_labels.awk -f $here/plot_frames.awk $targets $peers "$atlas/frames.csv"
@@ -74,6 +75,9 @@ frames() {
         awk -v scene="$scene" -v part=frames -f $here/page_tables.awk $targets "$atlas/frames.csv" |
             details "All frames as numbers"
     done
+    echo '<h3>Other renderers</h3>'
+    sed -n 's/^# \{0,1\}//p' $peers | tr '\n' ' ' | sed 's/.*How: /<p>How they were measured: /; s/$/<\/p>/'
+    awk -v part=plain -f $here/page_tables.awk $targets "$atlas/peers.csv" | details "Their figures and sources"
 }
 
 list=${2:-$here/scenes.txt}

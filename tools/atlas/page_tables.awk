@@ -27,7 +27,7 @@ part == "plain" {
     next
 }
 part == "advice" && value("scene") == scene {
-    put("≤ " value("within"), value("target"), choice() ": " value("per_pixel") " a pixel, " value("frames_per_second") " fps, errs " value("max_error"))
+    put("≤ " value("within"), value("target"), choice() ": " value("per_pixel") " a pixel, " value("frames_per_second") " fps, errs " value("max_error") (value("promised") == "" ? "" : ", promised " value("promised")))
 }
 part == "frames" && value("scene") == scene {
     put(choice(), "0 greatest error, codes", value("max_error"))
@@ -70,6 +70,7 @@ function spaced(text) { gsub(/_/, " ", text); return text }
 END {
     if (part != "plain") {
         if (part == "frames") { caption = "Of a target: cost a covered pixel; a frame; frames a second; on this computer the quartiles of a frame, ns" }
+        if (part == "advice") { caption = "Of a target: the choice; its cost a covered pixel; frames a second, of instructions at one a cycle; greatest error here, and promised" }
         if (part == "routines") { caption = "Of a target: cost of a call, average; greatest error in ulp of Q15" }
         if (part == "stages") { caption = "Cycles; instructions" }
         if (part == "memory") { caption = "The least; full; used" }
