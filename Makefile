@@ -202,6 +202,7 @@ include tools/make/emulate.mk
 include tools/make/cost.mk
 include tools/make/effects.mk
 include tools/make/boards.mk
+include tools/make/atlas.mk
 include tools/make/fuzz.mk
 include tools/make/proofs.mk
 include tools/make/verify.mk

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Installs what the tests, the checks or the emulated targets need and the system does not have:
-# tools/install-packages.sh test|verify|targets|cost|coverage|fuzz|proofs|boards
+# tools/install-packages.sh test|verify|targets|cost|atlas|coverage|fuzz|proofs|boards
 #
 # Each need is probed (a command that runs, a header and library that link), so nothing is asked of the package manager
 # when all is there. Says what it installs and why. Runs as root or with a sudo that asks for no password; without
@@ -11,9 +11,9 @@ set -eu
 
 stage=${1:-}
 case $stage in
-test | verify | targets | cost | coverage | fuzz | proofs | boards) ;;
+test | verify | targets | cost | atlas | coverage | fuzz | proofs | boards) ;;
 *)
-    echo "usage: tools/install-packages.sh test|verify|targets|cost|coverage|fuzz|proofs|boards" >&2
+    echo "usage: tools/install-packages.sh test|verify|targets|cost|atlas|coverage|fuzz|proofs|boards" >&2
     exit 2
     ;;
 esac
@@ -210,7 +210,15 @@ needs_boards() {
     need "has_library simavr sim_avr.h" "emulates the ATmega1284P with its OLED" libsimavr-dev simavr-devel - - - simavr
     need "has_library libelf libelf.h" "simavr reads firmware with it" \
         libelf-dev elfutils-libelf-devel libelf elfutils-dev libelf-devel -
+    need "has_command node" "runs the RP2040 emulator" nodejs nodejs nodejs nodejs nodejs node
+    need "has_command npm" "gets the RP2040 emulator, rp2040js" npm nodejs-npm npm npm npm node
     needs_linux_panel
+}
+
+needs_atlas() {
+    needs_cost
+    need "has_command gnuplot" "plots" gnuplot-nox gnuplot gnuplot gnuplot gnuplot gnuplot
+    need "has_library libpng png.h" "pictures of the page" libpng-dev libpng-devel libpng libpng-dev libpng16-devel libpng
 }
 
 manager=

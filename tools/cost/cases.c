@@ -21,39 +21,7 @@
 
 #include <examples/scenes/parts.h>
 
-/* The cheapest tiers within a tolerance in codes. */
-#define WITHIN(codes)                                                                                                  \
-    "auto", #codes,                                                                                                    \
-    {                                                                                                                  \
-        .tolerance = GLINT_CODES(codes)                                                                                \
-    }
-
-/* Shadings that are forced for the whole frame. */
-#define EXACT                                                                                                          \
-    "exact", "-",                                                                                                      \
-    {                                                                                                                  \
-        .shading = GLINT_SHADING_EXACT                                                                                 \
-    }
-#define GOURAUD                                                                                                        \
-    "Gouraud", "-",                                                                                                    \
-    {                                                                                                                  \
-        .shading = GLINT_SHADING_GOURAUD                                                                               \
-    }
-#define FLAT                                                                                                           \
-    "flat", "-",                                                                                                       \
-    {                                                                                                                  \
-        .shading = GLINT_SHADING_FLAT                                                                                  \
-    }
-#define Q1                                                                                                             \
-    "q1", "-",                                                                                                         \
-    {                                                                                                                  \
-        .shading = GLINT_SHADING_Q1                                                                                    \
-    }
-#define Q2                                                                                                             \
-    "q2", "-",                                                                                                         \
-    {                                                                                                                  \
-        .shading = GLINT_SHADING_Q2                                                                                    \
-    }
+#include "tools/cost/shadings.h"
 
 #define OWN_LIGHTS NULL, 0
 #define EIGHT_LIGHTS eight, LENGTH_OF(eight)

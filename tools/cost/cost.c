@@ -6,10 +6,11 @@
  *     unit instructions|cycles
  *     cost SCENE BACKEND SHADING TOLERANCE FIRST SECOND HASH   steps of two frames alike; FNV-1a of a third, fixed only
  *     short SCENE BACKEND SHADING TOLERANCE USEFUL GIVEN   before the cost: bytes that the frame can use, and has
- *     memory SCENE BACKEND SHADING TOLERANCE LEAST FULL USED   before the cost, fixed only: bytes that it takes at
- * least, for all vertices and lists, and made use of left SCENE BACKEND SHADING TOLERANCE BYTES     not drawn: takes at
- * least so much memory, and there is less failed SCENE BACKEND SHADING TOLERANCE ERROR   the negated glint_error: its
- * text would take the AVR's RAM end
+ *     memory SCENE BACKEND SHADING TOLERANCE LEAST FULL USED   before the cost: bytes that it takes at least, for all
+ *                                                vertices and lists, and made use of (fixed only, else 0)
+ *     left SCENE BACKEND SHADING TOLERANCE BYTES     not drawn: takes at least so much memory, and there is less
+ *     failed SCENE BACKEND SHADING TOLERANCE ERROR   the negated glint_error: its text would take the AVR's RAM
+ *     end
  *
  * A frame is one call of glint_fixed_render() or glint_float_render(), clears included, with a flush function that
  * returns at once. Limits: the counter's step is 40 instructions on QEMU's MPS2 boards; on the AVR its overflow
@@ -90,9 +91,11 @@ static void count(const cost_case *c, int backend)
     for (int i = 0; i < 2 && error == 0; i++) {
         steps[i] = frame(c, backend, bytes, &error);
     }
-    if (error == 0 && backend == COST_FIXED) {
-        glint_report report;
-        error = cost_draw(c, backend, GLINT_RGB565, cost_hash_band, &hash, cost_memory, bytes, &report);
+    if (error == 0) {
+        glint_report report = {.memory_used_bytes = 0};
+        if (backend == COST_FIXED) {
+            error = cost_draw(c, backend, GLINT_RGB565, cost_hash_band, &hash, cost_memory, bytes, &report);
+        }
         begin("memory", c, backend);
         report_decimal((uint32_t)least);
         report_decimal((uint32_t)cost_frame_full_bytes(c, backend, GLINT_RGB565));

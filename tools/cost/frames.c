@@ -11,16 +11,16 @@
 
 const char *const cost_backend_names[COST_BACKENDS] = {"fixed", "float"};
 
-/* Both backends do not fit the AVR's 128 KB; the fixed one stands in for the other, which program.c
- * leaves out there. */
-#ifdef __AVR__
-#define FLOAT_MEMORY_BYTES glint_fixed_memory_bytes
-#define FLOAT_LEAST_BYTES glint_fixed_memory_least_bytes
-#define FLOAT_RENDER glint_fixed_render
+/* Both backends do not fit the AVR's 128 KB; the one that program.c counts there stands in for the other, too. */
+#if !defined(__AVR__)
+#define FIXED(function) glint_fixed_##function
+#define FLOAT(function) glint_float_##function
+#elif defined(FRAMES_IN_FLOAT)
+#define FIXED(function) glint_float_##function
+#define FLOAT(function) glint_float_##function
 #else
-#define FLOAT_MEMORY_BYTES glint_float_memory_bytes
-#define FLOAT_LEAST_BYTES glint_float_memory_least_bytes
-#define FLOAT_RENDER glint_float_render
+#define FIXED(function) glint_fixed_##function
+#define FLOAT(function) glint_fixed_##function
 #endif
 
 glint_scene cost_scene(const cost_case *c)
@@ -57,7 +57,7 @@ size_t cost_frame_full_bytes(const cost_case *c, int backend, uint8_t format)
 {
     const glint_scene scene = cost_scene(c);
     const glint_display display = display_of(c, format);
-    return backend == COST_FIXED ? glint_fixed_memory_bytes(&scene, &display) : FLOAT_MEMORY_BYTES(&scene, &display);
+    return backend == COST_FIXED ? FIXED(memory_bytes)(&scene, &display) : FLOAT(memory_bytes)(&scene, &display);
 }
 
 size_t cost_frame_bytes(const cost_case *c, int backend, uint8_t format)
@@ -74,8 +74,8 @@ size_t cost_frame_least_bytes(const cost_case *c, int backend, uint8_t format)
 {
     const glint_scene scene = cost_scene(c);
     const glint_display display = display_of(c, format);
-    return backend == COST_FIXED ? glint_fixed_memory_least_bytes(&scene, &display)
-                                 : FLOAT_LEAST_BYTES(&scene, &display);
+    return backend == COST_FIXED ? FIXED(memory_least_bytes)(&scene, &display)
+                                 : FLOAT(memory_least_bytes)(&scene, &display);
 }
 
 int cost_draw(const cost_case *c, int backend, uint8_t format, glint_flush flush, void *context, void *memory,
@@ -85,8 +85,8 @@ int cost_draw(const cost_case *c, int backend, uint8_t format, glint_flush flush
     glint_display display = display_of(c, format);
     display.flush = flush;
     display.context = context;
-    return backend == COST_FIXED ? glint_fixed_render(&scene, &display, &c->quality, memory, memory_bytes, report)
-                                 : FLOAT_RENDER(&scene, &display, &c->quality, memory, memory_bytes, report);
+    return backend == COST_FIXED ? FIXED(render)(&scene, &display, &c->quality, memory, memory_bytes, report)
+                                 : FLOAT(render)(&scene, &display, &c->quality, memory, memory_bytes, report);
 }
 
 int cost_hash_band(void *context, const glint_band *band)

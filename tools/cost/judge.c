@@ -19,9 +19,12 @@
  * tolerance), and
  *     triangles   drawn: that face the eye and are on the display
  *     useful, given   bytes of memory that the frame can make use of, and that it got; empty where it got all
+ *     covered     pixels of the display that the scene covers
  *
  * Errors are of frames drawn here, on the host. The fixed backend draws the same bits everywhere: the hash of each of
  * its frames, drawn on the target in RGB565, is compared with the host's. For float they are the host's alone.
+ *
+ * "cost-judge errors" prints the columns scene to tolerance and max_error to promised of all cases, counted or not.
  *
  * A row is written for a frame that was counted, and for no other. Ends with status 1, naming what is wrong: a frame
  * that failed or has another hash, a second frame that costs other than the first, a counter that is not calibrated, a
@@ -182,6 +185,34 @@ static const measured *measured_of(const cost_case *c, int backend)
     return &all[at];
 }
 
+/* As in a row; empty where the shading is forced. */
+static const char *codes_of(const cost_case *c)
+{
+    return strcmp(c->tolerance, "-") == 0 ? "" : c->tolerance;
+}
+
+/* The last columns of a row. */
+static void print_errors(const measured *m)
+{
+    printf("%.2f,%.1f,", m->max_codes, m->psnr_db);
+    if (m->promised >= 0) {
+        printf("%.2f", m->promised);
+    }
+    putchar('\n');
+}
+
+static void tell_errors(void)
+{
+    puts("scene,backend,shading,tolerance,max_error,psnr_db,promised");
+    for (uint16_t i = 0; i < cost_case_count; i++) {
+        const cost_case *c = &cost_cases[i];
+        for (int backend = 0; backend < COST_BACKENDS; backend++) {
+            printf("%s,%s,%s,%s,", c->scene, cost_backend_names[backend], c->shading, codes_of(c));
+            print_errors(measured_of(c, backend));
+        }
+    }
+}
+
 /* --------------------------------------------------------------------------------------------------------- reports */
 
 static const cost_case *case_named(const char *scene, const char *shading, const char *tolerance)
@@ -241,15 +272,12 @@ static void read_cost(const report *r, char **words)
         return;
     }
     const double frame = (double)second * (double)r->step;
-    char promised[WORD_BYTES] = "";
-    if (m->promised >= 0) {
-        snprintf(promised, sizeof promised, "%.2f", m->promised);
-    }
-    const char *codes = strcmp(tolerance, "-") == 0 ? "" : tolerance;
-    printf("%s,%s,%s,%s,%s,%s,%.0f,%.1f,%.2f,%.1f,%s\n", r->target, r->unit, scene, backend_name, shading, codes, frame,
-           frame / m->covered, m->max_codes, m->psnr_db, promised);
-    fprintf(details, "%s,%s,%s,%s,%s,%lu,%s,%s\n", r->target, scene, backend_name, shading, codes,
-            (unsigned long)m->triangles, r->useful, r->given);
+    const char *codes = codes_of(c);
+    printf("%s,%s,%s,%s,%s,%s,%.0f,%.1f,", r->target, r->unit, scene, backend_name, shading, codes, frame,
+           frame / m->covered);
+    print_errors(m);
+    fprintf(details, "%s,%s,%s,%s,%s,%lu,%s,%s,%lu\n", r->target, scene, backend_name, shading, codes,
+            (unsigned long)m->triangles, r->useful, r->given, (unsigned long)m->covered);
 }
 
 static void read_line(report *r, char *line)
@@ -305,8 +333,12 @@ static void read_report(const char *target, const char *file)
 
 int main(int argc, char **argv)
 {
+    if (argc == 2 && strcmp(argv[1], "errors") == 0) {
+        tell_errors();
+        return good && fflush(stdout) == 0 ? 0 : 1;
+    }
     if (argc < 4 || argc % 2 == 1) {
-        fprintf(stderr, "usage: cost-judge DETAILS TARGET REPORT ...  >cost.csv\n");
+        fprintf(stderr, "usage: cost-judge DETAILS TARGET REPORT ...  >cost.csv\n       cost-judge errors\n");
         return 2;
     }
     details = fopen(argv[1], "w");
@@ -315,7 +347,7 @@ int main(int argc, char **argv)
         return 2;
     }
     puts("target,unit,scene,backend,shading,tolerance,frame,per_pixel,max_error,psnr_db,promised");
-    fputs("target,scene,backend,shading,tolerance,triangles,useful,given\n", details);
+    fputs("target,scene,backend,shading,tolerance,triangles,useful,given,covered\n", details);
     for (int i = 2; i < argc; i += 2) {
         read_report(argv[i], argv[i + 1]);
     }

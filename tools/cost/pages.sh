@@ -11,36 +11,18 @@ build=$1
 table=$build/cost/cost.csv
 cases=("A fixed auto 1" "A fixed exact" "A fixed Gouraud" "B fixed flat")
 
-# replace FILE NAME TEXTFILE
-replace() {
-    if ! grep -q "^<!-- $2: " "$1"; then
-        echo "$1 has no line <!-- $2: ... -->" >&2
-        exit 1
-    fi
-    awk -v name="$2" -v text="$3" '
-        /^<!-- end -->/ { inside = 0 }
-        !inside { print }
-        index($0, "<!-- " name ": ") == 1 {
-            inside = 1
-            print ""
-            while ((getline line < text) > 0) { print line }
-            print ""
-        }' "$1" >"$1.new"
-    mv "$1.new" "$1"
-}
-
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 awk -f tools/cost/pages.awk "$table" >"$work/tolerance"
-replace README.md cost-table "$work/tolerance"
+tools/replace-marked.sh README.md cost-table "$work/tolerance"
 
 {
     echo '```'
     awk -f tools/cost/goals.awk "$build/cost/details.csv" tools/cost/peers.csv "$table" | sed 's/ M; [a-z].*/ M/'
     echo '```'
 } >"$work/goals"
-replace docs/performance.md goals "$work/goals"
+tools/replace-marked.sh docs/performance.md goals "$work/goals"
 
 for i in "${!cases[@]}"; do
     node tools/cost/rp2040.js "$build/cost/node" "$build/cost/m0plus/profile.elf" --profile "${cases[i]}" >"$work/case"
@@ -69,4 +51,4 @@ awk '
         for (i = 1; i <= count; i++) { text = text sprintf(" %.3f |", sum[i] / 1e6) }
         print text
     }' "$work/profiles" >"$work/stages"
-replace docs/performance.md stages "$work/stages"
+tools/replace-marked.sh docs/performance.md stages "$work/stages"

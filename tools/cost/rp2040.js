@@ -4,6 +4,7 @@
 // instruction, and answers its semihosting calls:
 //
 //     node tools/cost/rp2040.js FOLDER PROGRAM.elf                      FOLDER holds node_modules/rp2040js
+//     node tools/cost/rp2040.js FOLDER PROGRAM.elf --any-ram            with as much RAM as it was linked for
 //     node tools/cost/rp2040.js FOLDER PROGRAM.elf --profile CASE       instructions of its first frame by function
 //     node tools/cost/rp2040.js FOLDER PROGRAM.elf --stack CASE         how deep the stack of its first frame gets, and
 //                                                                       with its memory how much RAM it takes
@@ -66,8 +67,9 @@ function readElf(file) {
 }
 
 const [folder, file, option, chosen] = process.argv.slice(2);
-if (!file || (option !== undefined && (!['--profile', '--stack'].includes(option) || !chosen))) {
-    fail('usage: node rp2040.js FOLDER PROGRAM.elf [--profile CASE | --stack CASE]');
+const anyRam = option === '--any-ram';
+if (!file || (option !== undefined && !anyRam && (!['--profile', '--stack'].includes(option) || !chosen))) {
+    fail('usage: node rp2040.js FOLDER PROGRAM.elf [--any-ram | --profile CASE | --stack CASE]');
 }
 let RP2040;
 try {
@@ -85,10 +87,10 @@ const rom = new Uint8Array(FLASH_BYTES);
 rp2040.bootrom = new Uint32Array(rom.buffer);
 const ramTop = symbolNamed('link_stack_top').address;
 if (ramTop - RAM_START > rp2040.sram.length) {
-    if (!chosen) {
+    if (!chosen && !anyRam) {
         fail(`${file} has ${ramTop - RAM_START} bytes of RAM, the RP2040 ${rp2040.sram.length}`);
     }
-    rp2040.sram = new Uint8Array(ramTop - RAM_START); // where it runs, not how, so that a profile may have any scene
+    rp2040.sram = new Uint8Array(ramTop - RAM_START); // where it runs, not how, so that any scene fits
     rp2040.sramView = new DataView(rp2040.sram.buffer);
 }
 for (const { address, bytes } of segments) {

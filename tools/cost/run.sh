@@ -4,7 +4,9 @@
 # Counts the frames on the targets' emulators:
 #
 #     tools/cost/run.sh probe TARGET          says what is missing to compile and run it, with its package; status 1 then
-#     tools/cost/run.sh run BUILD TARGET      BUILD/cost/... programs -> BUILD/cost/TARGET.txt
+#     tools/cost/run.sh run BUILD TARGET PROGRAM REPORT [any-ram]
+#                                             what the program prints -> REPORT. BUILD/cost/node has rp2040js, which has the
+#                                             chip's RAM, or any that the program was linked for
 #     tools/cost/run.sh table BUILD PEERS TARGET...   reports -> BUILD/cost/cost.csv, with PEERS as a table, and the goals
 #
 # A report is there only if its program came to its end. A target without a report has no rows.
@@ -43,17 +45,16 @@ bare=(-nographic -monitor none -icount shift=0)
 semihosting=(-serial none -chardev stdio,id=out -semihosting-config enable=on,target=native,chardev=out)
 
 run() {
-    local programs=$build/cost/$1
     case $target in
-    m0plus | m3) timeout $limit qemu-system-arm -M mps2-an385 "${bare[@]}" "${semihosting[@]}" -kernel "$programs/cost.elf" ;;
-    m4f) timeout $limit qemu-system-arm -M mps2-an386 "${bare[@]}" "${semihosting[@]}" -kernel "$programs/cost.elf" ;;
+    m0plus | m3) timeout $limit qemu-system-arm -M mps2-an385 "${bare[@]}" "${semihosting[@]}" -kernel "$program" ;;
+    m4f) timeout $limit qemu-system-arm -M mps2-an386 "${bare[@]}" "${semihosting[@]}" -kernel "$program" ;;
     rv32imac)
-        timeout $limit qemu-system-riscv32 -M virt -bios none "${bare[@]}" -serial stdio -kernel "$programs/cost.elf"
+        timeout $limit qemu-system-riscv32 -M virt -bios none "${bare[@]}" -serial stdio -kernel "$program"
         ;;
-    m0plus-cycles) timeout $limit node tools/cost/rp2040.js "$build/cost/node" "$programs/cycles.elf" ;;
+    m0plus-cycles) timeout $limit node tools/cost/rp2040.js "$build/cost/node" "$program" ${any_ram:+--any-ram} ;;
     # simavr colours the text, and shows a line's end as a dot besides
     avr-cycles)
-        timeout $limit simavr -m atmega1284p -f 16000000 "$programs/cost.elf" 2>&1 |
+        timeout $limit simavr -m atmega1284p -f 16000000 "$program" 2>&1 |
             sed 's/\x1b\[[0-9;]*m//g; s/\.$//'
         ;;
     esac
@@ -69,16 +70,19 @@ probe)
 run)
     build=$1
     target=$2
-    output=$build/cost/$target.output
-    rm -f "$build/cost/$target.txt" "$build/cost/$target.flags"
+    program=$3
+    report=$4
+    any_ram=${5:-}
+    output=${report%.txt}.output
+    rm -f "$report"
     status=0
-    run "${target%-cycles}" >"$output" </dev/null || status=$?
+    run >"$output" </dev/null || status=$?
     if [ $status -ne 0 ] || ! grep -qx end "$output"; then
         echo "$target: did not come to its end (status $status, 124 after $limit s); its last lines:" >&2
         tail -n 5 "$output" >&2
         exit 1
     fi
-    mv "$output" "$build/cost/$target.txt"
+    mv "$output" "$report"
     ;;
 table)
     build=$1
@@ -109,7 +113,7 @@ table)
     exit $status
     ;;
 *)
-    echo "usage: tools/cost/run.sh probe TARGET | run BUILD TARGET | table BUILD PEERS TARGET..." >&2
+    echo "usage: tools/cost/run.sh probe TARGET | run BUILD TARGET PROGRAM REPORT [any-ram] | table BUILD PEERS TARGET..." >&2
     exit 2
     ;;
 esac

@@ -41,13 +41,15 @@ run-cost: $(patsubst %,cost-count-%,$(COST_TARGETS)) $(B)/cost-judge ## Count wi
 	@tools/cost/run.sh table $(B) tools/cost/peers.csv $(COST_TARGETS)
 
 cost_processor = $(patsubst %-cycles,%,$(1))
+# What a target runs, of its processor's programs.
+cost_program = $(B)/cost/$(call cost_processor,$(1))/$(if $(filter m0plus-cycles,$(1)),cycles,cost).elf
 
 .PHONY: $(COST_TARGETS:%=cost-count-%)
 $(COST_TARGETS:%=cost-count-%): cost-count-%:
-	@mkdir -p $(B)/cost && rm -f $(B)/cost/$*.txt
+	@mkdir -p $(B)/cost && rm -f $(B)/cost/$*.txt $(B)/cost/$*.flags
 	@+if tools/cost/run.sh probe $*; then \
 		$(if $(filter m0plus-cycles,$*),$(SUBMAKE) -s $(COST_NODE)/node_modules/rp2040js &&) \
-		echo "  RUN   $*" && tools/cost/run.sh run $(B) $* && \
+		echo "  RUN   $*" && tools/cost/run.sh run $(B) $* $(call cost_program,$*) $(B)/cost/$*.txt && \
 		{ $($(call cost_processor,$*)_CC) --version | head -n 1; \
 		echo '$(strip $(call cost_flags,$(call cost_processor,$*)) $($(call cost_processor,$*)_FLAGS))'; } \
 			> $(B)/cost/$*.flags; \
@@ -108,7 +110,7 @@ COST_PLATFORM_cost := $(firstword $($(COST)_GLUE))
 COST_START := $(wordlist 2,9,$($(COST)_GLUE))
 ifneq ($(filter m%,$(COST)),)
 # Both backends and all scenes at -O2: more than 256 KB.
-COST_LINK = $(m3_SCRIPT) -Wl,--defsym=link_flash_bytes=512K,--defsym=link_ram_bytes=$(COST_RAM_$*)
+COST_LINK = $(m3_SCRIPT) -Wl,--defsym=link_flash_bytes=512K,--defsym=link_ram_bytes=$(COST_RAM_$(1))
 else ifeq ($(COST),rv32imac)
 COST_LINK = -nostartfiles -T $(B)/riscv.ld
 $(B)/cost.elf: $(B)/riscv.ld
@@ -120,9 +122,12 @@ else
 COST_DEFINE_cost := -DPROGRAM_MEMORY_BYTES=12800
 endif
 
-$(B)/%.elf: $(call objects,$(COST_FIRMWARE) $(COST_START)) tools/cost/program.c $(COST_PLATFORM_cost) \
-		$(COST_PLATFORM_cycles) $(SCENES) $(LIBRARY)
-	$(call run,LINK)$(CC) $(LIBRARY_FLAGS) -I. -Wl,--gc-sections -DPLATFORM_MPS2 -o $@ $(COST_LINK) \
-		$(COST_DEFINE_$*) tools/cost/program.c \
-		$(COST_PLATFORM_$*) $(call objects,$(COST_FIRMWARE) $(COST_START)) $(SCENES) $(LIBRARY) $($(COST)_LIBS)
+COST_LINKED := $(call objects,$(filter-out tools/cost/cases.c,$(COST_FIRMWARE)) $(COST_START))
+COST_PREREQUISITES := $(COST_LINKED) tools/cost/program.c $(COST_PLATFORM_cost) $(COST_PLATFORM_cycles) $(SCENES) $(LIBRARY)
+# name of a program, and what has its cases
+cost_link = $(CC) $(LIBRARY_FLAGS) -I. -Wl,--gc-sections -DPLATFORM_MPS2 -o $@ $(call COST_LINK,$(1)) $(COST_DEFINE_$(1)) \
+	tools/cost/program.c $(COST_PLATFORM_$(1)) $(2) $(COST_LINKED) $(SCENES) $(LIBRARY) $($(COST)_LIBS)
+
+$(B)/%.elf: $(COST_PREREQUISITES) $(call objects,tools/cost/cases.c)
+	$(call run,LINK)$(call cost_link,$*,$(call objects,tools/cost/cases.c))
 endif

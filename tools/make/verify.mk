@@ -79,7 +79,8 @@ cppcheck: ## cppcheck over library, tools, examples and tests
 
 # Generated files are what their generators print today.
 .PHONY: generated-check
-generated-check: $(B)/generate-tables $(B)/generate-textures $(MESH_GENERATOR) $(B)/glint-render $(B)/contact-sheet $(B)/glint-compare ## Generated tables, meshes, textures and figures are what their generators make
+generated-check: $(B)/generate-tables $(B)/generate-textures $(MESH_GENERATOR) $(B)/glint-render $(B)/contact-sheet $(B)/glint-compare \
+		atlas-check ## Generated tables, meshes, textures, figures and docs/atlas are what their generators make
 	@tools/check-generated.sh $(B) $(MESH_GENERATOR)
 
 .PHONY: generate
