@@ -39,7 +39,7 @@ endif
 
 # The library sees only the freestanding part of C and its own folders; sections let the linker drop what is not called.
 LIBRARY_FLAGS = $(STRICT) -ffreestanding -ffunction-sections -fdata-sections -Iinclude -Isrc $(CFLAGS)
-HOST_INCLUDES := -Iinclude -Isrc -I.
+HOST_INCLUDES := -Iinclude -Isrc -I. -I$(B)/include
 HOST_FLAGS = $(STRICT) -D_POSIX_C_SOURCE=200809L $(HOST_INCLUDES) $(OPTIONAL_FLAGS) $(CFLAGS)
 TEST_LIBS = $(shell pkg-config --libs cmocka libcjson 2>/dev/null || echo -lcmocka -lcjson) -pthread
 

@@ -64,5 +64,5 @@ int picture_draw(uint16_t frame, const glint_display *display, void *memory, siz
         .background = GLINT_BLACK,
     };
     const glint_quality quality = {.shading = GLINT_SHADING_EXACT};
-    return glint_fixed_phong_render(&scene, display, &quality, memory, memory_bytes, report);
+    return glint_fixed_parts_render(&scene, display, &quality, memory, memory_bytes, report);
 }

@@ -43,5 +43,5 @@ int picture_draw(uint16_t frame, const glint_display *display, void *memory, siz
         .ambient = COLOUR(120, 120, 120),
         .background = GLINT_BLACK,
     };
-    return glint_fixed_render(&scene, display, &quality, memory, memory_bytes, report);
+    return glint_fixed_parts_render(&scene, display, &quality, memory, memory_bytes, report);
 }

@@ -50,5 +50,5 @@ int picture_draw(uint16_t frame, const glint_display *display, void *memory, siz
         .ambient = COLOUR(160, 150, 170),
         .background = COLOUR(35, 40, 70),
     };
-    return glint_fixed_render(&scene, display, &quality, memory, memory_bytes, report);
+    return glint_fixed_parts_render(&scene, display, &quality, memory, memory_bytes, report);
 }

@@ -5,6 +5,7 @@
 #
 #     board.mk   names the board to this file (BOARDS += NAME) and has a target board-build-NAME, which builds what
 #                run.sh needs into $(B)/boards/NAME
+#     parts.c    the parts of the library that it links, see include/glint/parts.h
 #     run.sh     examples/NAME/run.sh BUILD runs it. Leaves in BUILD/boards/NAME a report.txt with lines "name value", the
 #                names being those of tools/boards/table.sh, and for each picture taken from the emulated panel
 #                TITLE.panel.ppm with its twin drawn on the host, TITLE.host.ppm. Ends with another status than 0 if it
@@ -19,9 +20,9 @@ board_make = $(SUBMAKE) -s BOARD=$(1) B=$(B)/boards/$(1) CC=$($(2)_CC) AR=$(pats
 
 # Firmware is compiled as the library is.
 ifdef BOARD
-$(B)/obj/examples/$(BOARD)/%.o: examples/$(BOARD)/%.c $(LIBRARY_STAMPS)
+$(B)/obj/examples/$(BOARD)/%.o: examples/$(BOARD)/%.c $(LIBRARY_STAMPS) | $(PARTS_HEADERS)
 	@mkdir -p $(@D)
-	$(call run,CC  )$(CC) $(LIBRARY_FLAGS) -I. -MMD -MP -c $< -o $@
+	$(call run,CC  )$(CC) $(LIBRARY_FLAGS) -I. -I$(B)/include -MMD -MP -c $< -o $@
 $(B)/obj/examples/panels/%.o: examples/panels/%.c $(LIBRARY_STAMPS)
 	@mkdir -p $(@D)
 	$(call run,CC  )$(CC) $(LIBRARY_FLAGS) -I. -MMD -MP -c $< -o $@
@@ -52,14 +53,15 @@ $(BOARDS:%=board-%): board-%: | $(HOST_ARCHIVES)
 # depends on.
 BOARD_HOST := $(call objects,tools/boards/host_picture.c examples/render/panel.c)
 $(BOARDS:%=board-%): | $(BOARD_HOST)
-$(B)/boards/%/host-picture: $(B)/obj/examples/%/picture.o $(BOARD_HOST) $(HOST_ARCHIVES)
+$(B)/boards/%/host-picture: $(B)/obj/examples/%/picture.o $(B)/obj/examples/%/parts.o $(BOARD_HOST) $(HOST_ARCHIVES)
 	@mkdir -p $(@D)
 	$(call run,LINK)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(HOST_ARCHIVES) $(OPTIONAL_LIBS) -lm
 
 $(B)/boards/shrink: $(call objects,tools/boards/shrink.c) $(HOST_ARCHIVES)
 	@mkdir -p $(@D)
 	$(call run,LINK)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(OPTIONAL_LIBS) -lm
-.SECONDARY: $(BOARDS:%=$(B)/obj/examples/%/picture.o)
+.SECONDARY: $(foreach board,$(BOARDS),$(B)/obj/examples/$(board)/picture.o $(B)/obj/examples/$(board)/parts.o)
+$(BOARDS:%=$(B)/obj/examples/%/parts.o): | $(PARTS_HEADERS)
 -include $(patsubst %.o,%.d,$(call objects,tools/boards/host_picture.c tools/boards/shrink.c))
 
 $(B)/tests/unit/test_oled_drivers: $(call objects,examples/panels/ssd0323.c examples/panels/ssd1306.c)
