@@ -220,6 +220,7 @@ static void test_the_same_pixels_of_any_triangle(void **state)
     X(two_sided, b->material.sides = GLINT_TWO_SIDED)                                                                  \
     X(transmission, b->material.transmission_q14 = 1)                                                                  \
     X(wire, b->material.wire_width_q4 = 1)                                                                             \
+    X(texture, (b->material.texture = &dot, b->mesh.texcoords = texcoords, b->mesh.texcoord_bits = 9))                 \
     X(tolerance, quality->tolerance = GLINT_CODES(1))                                                                  \
     X(gouraud, quality->shading = GLINT_SHADING_GOURAUD)                                                               \
     X(flat, quality->shading = GLINT_SHADING_FLAT)                                                                     \
@@ -228,6 +229,8 @@ static void test_the_same_pixels_of_any_triangle(void **state)
 
 static const uint16_t texels[64];
 static const glint_environment environment = {.texels = texels, .side = 8};
+static const int16_t texcoords[4][2];
+static const glint_texture dot = {.texels = texels, .width_px = 1, .height_px = 1};
 
 #define ASK(name, change)                                                                                              \
     static void ask_##name(board *b, glint_quality *quality)                                                           \
@@ -350,71 +353,6 @@ static void test_what_has_a_part_is_checked(void **state)
     }
 }
 
-/* X(name, change): each effect by itself, the smallest that asks for its part. */
-#define EFFECTS(X)                                                                                                     \
-    X(spot, (point(b), b->light[0].kind = GLINT_SPOT, b->light[0].outer_turn16 = 8192))                                \
-    X(attenuation, (point(b), b->light[0].attenuation.k_q14[2] = 1))                                                   \
-    X(range, (point(b), b->light[0].attenuation.range_q16 = 1 << 20))                                                  \
-    X(panel, (point(b), b->light[0].kind = GLINT_PANEL))                                                               \
-    X(ball, (point(b), b->light[0].kind = GLINT_BALL))                                                                 \
-    X(shadows, b->light[0].casts_shadows = true)                                                                       \
-    X(sky, b->scene.sky.r_q14 = 1)                                                                                     \
-    X(ground, b->scene.ground.b_q14 = 1)                                                                               \
-    X(mirror, (b->material.mirror.g_q14 = 1, b->scene.environment = &around))                                          \
-    X(both_sides, b->material.sides = GLINT_EACH_SIDE)                                                                 \
-    X(two_sides, b->material.sides = GLINT_TWO_SIDED)                                                                  \
-    X(fog, b->scene.fog.end_q16 = 1 << 16)                                                                             \
-    X(transmission, b->material.transmission_q14 = 1)                                                                  \
-    X(wire, b->material.wire_width_q4 = 1)                                                                             \
-    X(texture, (b->material.texture = &dot, b->mesh.texcoords = corner_texcoords, b->mesh.texcoord_bits = 9))
-
-static const uint16_t no_texels[64];
-static const int16_t corner_texcoords[4][2];
-static const glint_environment around = {.texels = no_texels, .side = 8};
-static const glint_texture dot = {.texels = no_texels, .width_px = 1, .height_px = 1};
-
-static void point(board *b)
-{
-    b->light[0].kind = GLINT_POINT;
-    b->light[0].position_q16[2] = 1 << 18;
-}
-
-#define DEFINE(what, change)                                                                                           \
-    static void with_##what(board *b)                                                                                  \
-    {                                                                                                                  \
-        change;                                                                                                        \
-    }
-EFFECTS(DEFINE)
-
-#define ROW(what, change) {#what, with_##what},
-static const struct effect {
-    const char *name;
-    void (*add)(board *);
-} effects[] = {EFFECTS(ROW)};
-
-static void test_each_effect_is_refused(void **state)
-{
-    (void)state;
-    const glint_quality exact = {.shading = GLINT_SHADING_EXACT};
-    for (size_t k = 0; k < VARIANTS; k++) {
-        for (size_t i = 0; i < sizeof effects / sizeof *effects; i++) {
-            board b;
-            board_set_up(&b);
-            assert_int_equal(draw(variants[k].render, &b.scene, &exact, pictures[0]), GLINT_OK);
-            effects[i].add(&b);
-            memset(memory_words, FRAME_CANARY_BYTE, sizeof memory_words);
-            const int result = draw(variants[k].render, &b.scene, &exact, pictures[0]);
-            if (result != GLINT_ERROR_PART) {
-                fail_msg("%s, %s: %d", variants[k].name, effects[i].name, result);
-            }
-            for (size_t n = 0; n < sizeof memory_words; n++) {
-                assert_true(((const uint8_t *)memory_words)[n] == FRAME_CANARY_BYTE);
-            }
-            assert_int_equal(draw(variants[k].whole, &b.scene, &exact, pictures[0]), GLINT_OK);
-        }
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -424,7 +362,6 @@ int main(void)
         cmocka_unit_test(test_what_has_no_part_is_refused),
         cmocka_unit_test(test_a_report_is_refused),
         cmocka_unit_test(test_what_has_a_part_is_checked),
-        cmocka_unit_test(test_each_effect_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
