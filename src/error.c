@@ -103,6 +103,8 @@ const char *glint_error_text(int error)
         return "the display's buffer_count is above 2, or 2 without transfers";
     case GLINT_ERROR_DISPLAY_STRIDE:
         return "the display's stride_bytes is shorter than a row or above 1048575";
+    case GLINT_ERROR_DISPLAY_AREA:
+        return "the display's area is not within its rows, or not of whole pages";
     case GLINT_ERROR_SHADING:
         return "the quality's shading is unknown";
     case GLINT_ERROR_TOLERANCE:

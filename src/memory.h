@@ -32,6 +32,7 @@ typedef struct glint_needs {
     bool has_shadows, has_texture;
     uint32_t buffer; /* bytes of one band of pixels */
     uint32_t stride; /* bytes from row to row (page to page) */
+    uint16_t height_px; /* rows that are drawn: the display's, or its area's */
     uint16_t band_px, band_count;
     uint16_t light_count; /* with the most point lights that extended sources may come to */
     uint16_t reach_count; /* of these, spot lights and attenuated ones */

@@ -42,7 +42,7 @@ typedef struct glint_band {
     uint32_t bytes;        /* of the band: rows (pages) x stride_bytes */
     uint32_t stride_bytes; /* from one row (page) to the next */
     uint16_t y_px, width_px, height_px;
-    bool last; /* the frame's last band */
+    bool last; /* the frame's, or the area's, last band */
 } glint_band;
 
 /*
@@ -63,8 +63,12 @@ typedef struct glint_display {
     uint32_t stride_bytes;        /* from a row (page) to the next in memory; 0: rows without gap; at most
                                    * 0xfffff; even for 16-bit pixels */
     glint_flush flush;
-    void *context;               /* handed to `flush` and `wait` */
-    glint_transfers *transfers;  /* NULL: `flush` returns when the pixels have been taken */
+    void *context;                      /* handed to `flush` and `wait` */
+    glint_transfers *transfers;         /* NULL: `flush` returns when the pixels have been taken */
+    uint16_t area_y_px, area_height_px; /* a partial update: only these rows of the picture are drawn and flushed, in
+                                         * bands that begin with the first of them; their bits are those of the whole
+                                         * picture. Height 0: all of it. For GLINT_MONO_PAGES whole pages, or up to the
+                                         * display's last row */
     void (*wait)(void *context); /* called over and over while a buffer is awaited (sleep, yield ...); may be NULL */
 } glint_display;
 

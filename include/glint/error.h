@@ -69,6 +69,7 @@ typedef enum glint_error {
     GLINT_ERROR_DISPLAY_DITHER = -63,  /* unknown dither */
     GLINT_ERROR_DISPLAY_BUFFERS = -64, /* more than 2 buffers, or 2 without `transfers` */
     GLINT_ERROR_DISPLAY_STRIDE = -65,  /* stride_bytes shorter than a row, or odd with 16-bit pixels */
+    GLINT_ERROR_DISPLAY_AREA = -69,    /* rows that are not on the display, or not whole pages of GLINT_MONO_PAGES */
     GLINT_ERROR_SHADING = -66,         /* unknown shading */
     GLINT_ERROR_PART = -68,            /* the variant of the backend has no specular term, report ... (fixed.h) */
     GLINT_ERROR_TOLERANCE = -67,       /* below GLINT_LEAST_TOLERANCE, or together with a shading */

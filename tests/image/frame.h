@@ -54,7 +54,9 @@ static inline int frame_flush(void *context, const glint_band *band)
     }
     f->next_row = (uint16_t)(f->next_row + band->height_px);
     f->bands_seen++;
-    assert_int_equal(band->last, f->next_row == f->display.height_px);
+    const unsigned end =
+        f->display.area_height_px ? f->display.area_y_px + f->display.area_height_px : f->display.height_px;
+    assert_int_equal(band->last, f->next_row == end);
     if (f->display.transfers) {
         glint_flush_done(f->display.transfers);
     }
@@ -86,7 +88,7 @@ static inline int frame_draw(frame *f, const glint_scene *scene, int backend)
     assert_non_null(memory);
     memset(memory, FRAME_CANARY_BYTE, bytes + FRAME_CANARY);
     f->memory_given = bytes;
-    f->next_row = 0;
+    f->next_row = f->display.area_y_px;
     f->bands_seen = 0;
     const int result = backend == FRAME_FIXED
                            ? glint_fixed_render(scene, &f->display, &quality, memory, bytes, &f->report)

@@ -129,6 +129,19 @@ static void set_pages(world *w, uint16_t height_px, uint16_t band_px)
     w->display.band_px = band_px;
 }
 
+static void set_area(world *w, uint16_t height_px, uint16_t y_px, uint16_t rows)
+{
+    w->display.height_px = height_px;
+    w->display.area_y_px = y_px;
+    w->display.area_height_px = rows;
+}
+
+static void set_page_area(world *w, uint16_t height_px, uint16_t y_px, uint16_t rows)
+{
+    w->display.format = GLINT_MONO_PAGES;
+    set_area(w, height_px, y_px, rows);
+}
+
 static void set_stride(world *w, uint8_t format, uint16_t width_px, uint32_t stride_bytes)
 {
     w->display.format = format;
@@ -237,7 +250,12 @@ static void keep_memory(world *w)
     X(stride_short_swapped, set_stride(w, GLINT_RGB565_SWAPPED, 9, 17), GLINT_ERROR_DISPLAY_STRIDE)                    \
     X(stride_short_grey8, set_stride(w, GLINT_GREY8, 9, 8), GLINT_ERROR_DISPLAY_STRIDE)                                \
     X(stride_short_grey4, set_stride(w, GLINT_GREY4, 9, 4), GLINT_ERROR_DISPLAY_STRIDE)                                \
-    X(stride_short_pages, set_stride(w, GLINT_MONO_PAGES, 9, 8), GLINT_ERROR_DISPLAY_STRIDE)
+    X(stride_short_pages, set_stride(w, GLINT_MONO_PAGES, 9, 8), GLINT_ERROR_DISPLAY_STRIDE)                           \
+    X(area_beyond, set_area(w, 10, 8, 3), GLINT_ERROR_DISPLAY_AREA)                                                    \
+    X(area_wraps, set_area(w, 10, 65535, 65535), GLINT_ERROR_DISPLAY_AREA)                                             \
+    X(area_of_no_rows, set_area(w, 10, 4, 0), GLINT_ERROR_DISPLAY_AREA)                                                \
+    X(area_from_within_page, set_page_area(w, 24, 4, 12), GLINT_ERROR_DISPLAY_AREA)                                    \
+    X(area_to_within_page, set_page_area(w, 24, 8, 12), GLINT_ERROR_DISPLAY_AREA)
 
 #define REFUSED_CASES(X)                                                                                               \
     X(null_quality, w->quality_argument = NULL, GLINT_ERROR_NULL_ARGUMENT)                                             \
