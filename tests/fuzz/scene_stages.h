@@ -90,7 +90,7 @@ static inline void check_variants(scene_case *c, const drawing *how, int backend
     const uint32_t rows =
         c->display.format == GLINT_MONO_PAGES ? (c->display.height_px + 7u) / 8 : c->display.height_px;
     for (int variant = backend + BACKENDS; variant < RENDERERS; variant += BACKENDS) {
-        glint_report report;
+        glint_report report = {0};
         uint8_t *const mine = draw_and_check(c, how, variant, &report);
         FUZZ_CHECK(mine == NULL || pixels != NULL, "%s draws what the whole refuses", renderers[variant].name);
         FUZZ_CHECK(mine == NULL || memcmp(mine, pixels, (size_t)rows * row_bytes) == 0, "%s: another picture",
