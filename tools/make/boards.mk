@@ -33,6 +33,9 @@ endif
 
 include $(sort $(wildcard examples/*/board.mk))
 
+# What they depend on, of the boards' flavours and of the host's.
+-include $(wildcard $(B)/obj/examples/*/*.d)
+
 .PHONY: boards
 boards: ## The example boards on emulated hardware: pictures equal to the host's? Frames a second, flash, RAM, stack
 	@tools/install-packages.sh boards
