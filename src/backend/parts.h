@@ -22,8 +22,7 @@
 #define PART_TEXTURES 1024u
 #define PART_SHADOWS 2048u
 #define PART_REPORT 4096u /* glint_report: what a frame took, and the error promised */
-#define PART_SPANS 8192u  /* rows of triangles by their ends, quicker than pixel by pixel; TIERS and FINISH ask for it \
-                           */
+#define PART_SPANS 8192u  /* rows of triangles by their ends, quicker than pixel by pixel */
 #define PART_LISTS 16384u /* triangles sorted into bands once a frame, quicker than looking at each in each band */
 #define PARTS_ALL 32767u
 
@@ -33,6 +32,9 @@
 
 #define HAS(part) ((BACKEND_PARTS & (part)) != 0)
 
+#if HAS(PART_REACH | PART_EXTENTS) && !HAS(PART_POINTS)
+#error "PART_REACH and PART_EXTENTS ask for PART_POINTS"
+#endif
 #if HAS(PART_TIERS | PART_FINISH) && !HAS(PART_SPANS)
 #error "PART_TIERS and PART_FINISH ask for PART_SPANS"
 #endif
