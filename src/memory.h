@@ -30,8 +30,8 @@
 typedef struct glint_needs {
     uint32_t objects, lights, mirrors, shadows, reaches, texture, buffers, depth;
     bool has_shadows, has_texture;
-    uint32_t buffer; /* bytes of one band of pixels */
-    uint32_t stride; /* bytes from row to row (page to page) */
+    uint32_t buffer;    /* bytes of one band of pixels */
+    uint32_t stride;    /* bytes from row to row (page to page) */
     uint16_t height_px; /* rows that are drawn: the display's, or its area's */
     uint16_t band_px, band_count;
     uint16_t light_count; /* with the most point lights that extended sources may come to */

@@ -20,6 +20,9 @@
 /* What comes between shading and packing. */
 #define PARTS_AFTER_SHADING (GLINT_PART_FOG | GLINT_PART_TRANSMISSION | GLINT_PART_WIRE)
 
+#if HAS(GLINT_PART_REACH | GLINT_PART_EXTENTS) && !HAS(GLINT_PART_POINTS)
+#error "spot lights, attenuation, panels and balls ask for GLINT_PART_POINTS"
+#endif
 #if HAS(GLINT_PART_TIERS | PARTS_AFTER_SHADING) && !HAS(GLINT_PART_SPANS)
 #error "tiers, fog, transmission and wire ask for GLINT_PART_SPANS"
 #endif

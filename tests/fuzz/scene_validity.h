@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Is a scene valid by the letter of the public headers? Written from them alone, in floating point where they speak of
- * angles and determinants, so that it shares no code and no arithmetic with src/validate.c.
+ * angles and determinants, so that it shares no code and no arithmetic with src/validate.inc.
  */
 #ifndef GLINT_TESTS_FUZZ_SCENE_VALIDITY_H
 #define GLINT_TESTS_FUZZ_SCENE_VALIDITY_H
