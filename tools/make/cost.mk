@@ -6,7 +6,7 @@
 COST_FLAGS ?= -O2
 # At -O2 the library and the scenes are 80 KB more than the AVR's flash holds; and so are its scenes, which have no point
 # lights, with all parts of the backend.
-COST_FLAGS_avr ?= -Os -fno-inline -DSMALL_PARTS=28685u -mcall-prologues -mrelax -mstrict-X -fno-move-loop-invariants
+COST_FLAGS_avr ?= -Os -fno-inline -DSMALL_PARTS=0x1c00dul -mcall-prologues -mrelax -mstrict-X -fno-move-loop-invariants
 cost_flags = $(or $(COST_FLAGS_$(1)),$(COST_FLAGS))
 COST_TARGETS := m0plus m3 m4f rv32imac m0plus-cycles avr-cycles
 COST_PROCESSORS := m0plus m3 m4f rv32imac avr
@@ -115,7 +115,7 @@ else ifeq ($(COST),rv32imac)
 COST_LINK = -nostartfiles -T $(B)/riscv.ld
 $(B)/cost.elf: $(B)/riscv.ld
 $(B)/riscv.ld: $(STARTUP)/riscv.ld $(BUILD_FILES)
-	@sed 's/LENGTH = 32K/LENGTH = $(COST_RAM_cost)/' $< > $@
+	@sed -e 's/LENGTH = 256K/LENGTH = 512K/; s/ORIGIN = 0x80040000, LENGTH = 32K/ORIGIN = 0x80080000, LENGTH = $(COST_RAM_cost)/' $< > $@
 else
 # Of its 16 KB of RAM 0.8 KB is for variables and constants; the rest is stack, of which a frame within a tolerance takes
 # less than 2.5 KB. What is enough for exact shading.
