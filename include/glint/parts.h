@@ -25,8 +25,8 @@
 #define GLINT_PART_POINTS 0x2u   /* point lights */
 #define GLINT_PART_CORNERS 0x4u  /* Gouraud and flat shading */
 #define GLINT_PART_TIERS 0x8u    /* tolerances, and the shadings q1 and q2 */
-#define GLINT_PART_REACH 0x10u   /* spot lights and attenuation; asks for GLINT_PART_POINTS too */
-#define GLINT_PART_EXTENTS 0x20u /* panels and balls of light; asks for GLINT_PART_POINTS too */
+#define GLINT_PART_REACH 0x10u   /* spot lights and attenuation; brings GLINT_PART_POINTS */
+#define GLINT_PART_EXTENTS 0x20u /* panels and balls of light; brings GLINT_PART_POINTS */
 #define GLINT_PART_SKY 0x40u     /* ambient light by the normal: sky and ground */
 #define GLINT_PART_MIRRORS 0x80u /* the environment mirrored */
 #define GLINT_PART_SIDES 0x100u  /* surfaces of which the inside is shown */
@@ -39,8 +39,7 @@
 #define GLINT_PARTS_ALL 0x1ffffu
 
 /* These change no picture, they cost flash and save time: */
-#define GLINT_PART_SPANS 0x8000u /* rows of triangles by their ends; part of tiers, fog, transmission and wire */
-#define GLINT_PART_LISTS                                                                                               \
-    0x10000u /* triangles sorted into bands once a frame, quicker than a look at each in each band */
+#define GLINT_PART_SPANS 0x8000u /* rows of triangles by their ends; brought by tiers, fog, transmission and wire */
+#define GLINT_PART_LISTS 0x10000u /* triangles sorted into bands once a frame, not looked at again in each band */
 
 #endif

@@ -14,17 +14,15 @@
 #define GLINT_PARTS GLINT_PARTS_ALL
 #endif
 
-/* Is one of the parts there? */
-#define HAS(parts) ((GLINT_PARTS & (parts)) != 0)
-
 /* What comes between shading and packing. */
 #define PARTS_AFTER_SHADING (GLINT_PART_FOG | GLINT_PART_TRANSMISSION | GLINT_PART_WIRE)
 
-#if HAS(GLINT_PART_REACH | GLINT_PART_EXTENTS) && !HAS(GLINT_PART_POINTS)
-#error "spot lights, attenuation, panels and balls ask for GLINT_PART_POINTS"
-#endif
-#if HAS(GLINT_PART_TIERS | PARTS_AFTER_SHADING) && !HAS(GLINT_PART_SPANS)
-#error "tiers, fog, transmission and wire ask for GLINT_PART_SPANS"
-#endif
+/* With those that the parts named bring with them. */
+#define PARTS_ALL_TOLD                                                                                                 \
+    ((GLINT_PARTS) | ((GLINT_PARTS) & (GLINT_PART_TIERS | PARTS_AFTER_SHADING) ? GLINT_PART_SPANS : 0) |               \
+     ((GLINT_PARTS) & (GLINT_PART_REACH | GLINT_PART_EXTENTS) ? GLINT_PART_POINTS : 0))
+
+/* Is one of the parts there? */
+#define HAS(parts) ((PARTS_ALL_TOLD & (parts)) != 0)
 
 #endif

@@ -66,11 +66,12 @@ static void try_areas(const char *name, uint8_t format, uint8_t tolerance, uint1
             .display = {.width_px = WIDTH_PX, .height_px = HEIGHT_PX, .format = format, .dither = GLINT_DITHER_BAYER},
             .tolerance = tolerance};
         assert_int_equal(frame_draw(&whole, demo->scene, backend), GLINT_OK);
-        for (uint16_t y = 0; y < HEIGHT_PX; y = (uint16_t)(y + step)) {
-            for (uint16_t rows = step; rows < HEIGHT_PX + step; rows = (uint16_t)(rows + step)) {
-                const uint16_t within = y + rows > HEIGHT_PX ? (uint16_t)(HEIGHT_PX - y) : rows;
-                expect_area(demo, backend, &whole, y, within, 0, 0);
-                expect_area(demo, backend, &whole, y, within, format == GLINT_MONO_PAGES ? PAGE_ROWS : 5, y % 2);
+        for (int y = 0; y < HEIGHT_PX; y += step) {
+            for (int rows = step; rows < HEIGHT_PX + step; rows += step) {
+                const uint16_t within = (uint16_t)(y + rows > HEIGHT_PX ? HEIGHT_PX - y : rows), from = (uint16_t)y;
+                expect_area(demo, backend, &whole, from, within, 0, 0);
+                expect_area(demo, backend, &whole, from, within, format == GLINT_MONO_PAGES ? PAGE_ROWS : 5,
+                            (size_t)y % 2);
             }
         }
         frame_free(&whole);

@@ -38,6 +38,12 @@ $(EFFECT_FLAVOURS:%=effects-%): effects-%: library
 $(B)/effect-errors: $(B)/obj/tools/effects/errors.o $(HOST_ARCHIVES)
 	$(call run,LINK)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 
+.PHONY: effects-page
+effects-page: ## Refresh the table of docs/effects.md from the last `make effects`
+	@test -f $(B)/effects/effects.csv || { echo "make effects-page: make effects first" >&2; exit 1; }
+	@awk -f tools/effects/page.awk $(B)/effects/effects.csv > $(B)/effects/page
+	@tools/replace-marked.sh docs/effects.md effects-table $(B)/effects/page
+
 # Within a flavour.
 ifdef EFFECTS_OF
 EFFECT_TARGET := $(firstword $(subst -, ,$(EFFECTS_OF)))
