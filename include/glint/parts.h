@@ -39,7 +39,7 @@
 #define GLINT_PARTS_ALL 0x1ffffu
 
 /* These change no picture, they cost flash and save time: */
-#define GLINT_PART_SPANS 0x8000u /* rows of triangles by their ends; brought by tiers, fog, transmission and wire */
+#define GLINT_PART_SPANS 0x8000u  /* rows of triangles by their ends; brought by tiers, fog, transmission and wire */
 #define GLINT_PART_LISTS 0x10000u /* triangles sorted into bands once a frame, not looked at again in each band */
 
 #endif
