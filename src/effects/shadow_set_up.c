@@ -80,9 +80,9 @@ void glint_shadow_shear(const glint_shadows *shadows, const int32_t p[3], int32_
     const int a = shadows->along;
     for (int k = 0; k < 3; k++) {
         out[k] = p[k];
-        if (k != a) { /* |v_a| p_b / 2^29 - v_b p_a / 2^29 */
-            out[k] =
-                multiply_high_s32(p[k] * 4, shadows->shear[a] * 2) - multiply_high_s32(p[a] * 4, shadows->shear[k] * 2);
+        if (k != a) { /* (|v_a| p_b - v_b p_a) / 2^30, each rounded down, doubled; p and v reach 2^29 */
+            out[k] = 2 * (multiply_high_s32(p[k] * 2, shadows->shear[a] * 2) -
+                          multiply_high_s32(p[a] * 2, shadows->shear[k] * 2));
         }
         GLINT_TRACE("shadow sheared", out[k]);
     }

@@ -140,6 +140,7 @@ static const documented_range documented[] = {
     {"texture's colour q15", U16, 0, TWO(15), "formats.md"},
     {"light before a texture q16", U32, 0, TWO(31) - 1, "effects/texture_fixed.h"},
     {"shadow position", S32, BELOW(TWO(29)), "effects/shadow.h"},
+    {"shadow sheared", S32, BELOW(TWO(30)), "effects/shadow.h"},
     {"shadow vector", S32, WITHIN(TWO(29)), "effects/shadow_plane.h"},
     {"shadow height", S64, BELOW(TWO(62)), "effects/shadow_plane.h"},
     {"shadow line", S32, BELOW(TWO(30)), "effects/shadow_mask.h"},

@@ -219,7 +219,9 @@ static inline uint8_t *draw_and_check(scene_case *c, const drawing *how, int bac
     scene_case asked = *c; /* only display differs: objects still point into *c */
     asked.display = display;
     validity expected = scene_case_validity(&asked);
-    if (expected != INVALID && backend >= BACKENDS && !variant_has_all(c, backend < 2 * BACKENDS)) {
+    if (backend >= BACKENDS && expected == INVALID && c->null == 0) {
+        expected = EITHER; /* a variant does not read the fields of parts that it has not */
+    } else if (expected != INVALID && backend >= BACKENDS && !variant_has_all(c, backend < 2 * BACKENDS)) {
         expected = INVALID;
     }
 
@@ -260,7 +262,7 @@ static inline uint8_t *draw_and_check(scene_case *c, const drawing *how, int bac
         FUZZ_CHECK(expected != INVALID && result == how->fail_with, "%d instead of the flush's %d", result,
                    how->fail_with);
     } else if (result == 0) {
-        FUZZ_CHECK(expected != INVALID, "an invalid call succeeded");
+        FUZZ_CHECK(expected != INVALID, "%s: an invalid call succeeded", r->name);
         FUZZ_CHECK(s.next_row == display.height_px, "%u rows of %u", s.next_row, display.height_px);
         if (reports) {
             check_report(report, c, &s, given, backend);

@@ -92,9 +92,9 @@ static inline void check_variants(scene_case *c, const drawing *how, int backend
     for (int variant = backend + BACKENDS; variant < RENDERERS; variant += BACKENDS) {
         glint_report report = {0};
         uint8_t *const mine = draw_and_check(c, how, variant, &report);
-        FUZZ_CHECK(mine == NULL || pixels != NULL, "%s draws what the whole refuses", renderers[variant].name);
-        FUZZ_CHECK(mine == NULL || memcmp(mine, pixels, (size_t)rows * row_bytes) == 0, "%s: another picture",
-                   renderers[variant].name);
+        /* what the whole refuses for a field of a part that the variant has not, that may draw */
+        FUZZ_CHECK(mine == NULL || pixels == NULL || memcmp(mine, pixels, (size_t)rows * row_bytes) == 0,
+                   "%s: another picture", renderers[variant].name);
         free(mine);
     }
 }

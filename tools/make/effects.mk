@@ -19,6 +19,9 @@ EFFECT_BASE_Os := GLINT_PART_SPECULAR GLINT_PART_POINTS GLINT_PART_SPANS GLINT_P
 EFFECT_BASE_O2 := $(EFFECT_BASE_Os) GLINT_PART_TIERS
 
 TARGET_SOURCES += $(sort $(wildcard tools/effects/*.c))
+# For the analysers, one of them.
+$(patsubst %,tidy/tools/effects/%.c,parts program): HOST_FLAGS += -DEFFECT=GLINT_PART_FOG -DEFFECT_BACKEND=fixed -DEFFECT_IN_FLOAT=0 \
+	-DGLINT_PARTS=GLINT_PART_FOG
 
 .PHONY: effects
 effects: ## What each effect adds to flash, memory and frames on emulated processors, linked or not; installs what is missing
@@ -48,7 +51,7 @@ effects-page: ## Refresh the table of docs/effects.md from the last `make effect
 ifdef EFFECTS_OF
 EFFECT_TARGET := $(firstword $(subst -, ,$(EFFECTS_OF)))
 EFFECT_BASE := $(EFFECT_BASE_$(lastword $(subst -, ,$(EFFECTS_OF))))
-EFFECT_SETTINGS := -DEFFECT_BACKEND=$(EFFECT_BACKEND_$(EFFECT_TARGET))
+EFFECT_SETTINGS := -DEFFECT_BACKEND=$(EFFECT_BACKEND_$(EFFECT_TARGET)) -DEFFECT_IN_FLOAT=$(if $(filter float,$(EFFECT_BACKEND_$(EFFECT_TARGET))),1,0)
 
 # Sets of parts: base; with-NAME; for what is in the base, without-NAME.
 effect_is_base = $(filter $(EFFECT_PART_$(1)),$(EFFECT_BASE))

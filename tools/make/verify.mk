@@ -63,7 +63,7 @@ $(TIDY_TARGETS): tidy/%: %
 	@clang-tidy --quiet $(addprefix --checks=,$(call tidy_checks,$<)) $< -- $(HOST_FLAGS) $(SIMAVR_FLAGS) 2>$(B)/$(subst /,-,$*).tidy \
 		|| { cat $(B)/$(subst /,-,$*).tidy; exit 1; }
 	@rm -f $(B)/$(subst /,-,$*).tidy
-$(TIDY_TARGETS): | $(B)/host-flags
+$(TIDY_TARGETS): | $(B)/host-flags $(PARTS_HEADERS)
 
 # ctuuninitvar does not see what a callee sets of a structure whose other members follow after the call.
 # missingIncludeSystem is about the system's headers; for want of them cppcheck mistakes the types of printf's
