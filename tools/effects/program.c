@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What a part of the library costs on a target: the yardstick scene without the effect and with it, drawn by a backend
- * that has the part or has it not. The command line names the parts, GLINT_PARTS, the one in question, EFFECT, and
- * EFFECT_BACKEND. Lines:
+ * that has the part or has it not. The command line names the parts, GLINT_PARTS, the one in question, EFFECT, and the
+ * backend, EFFECT_IN_FLOAT 0 or 1. Lines:
  *
  *     plain|on SHADING STEPS|refused    a frame of 240 x 240, RGB565; refused: the backend has not the part
  *     memory plain|on BYTES             the least that such a frame takes
@@ -25,10 +25,13 @@
 #include "tests/target/selftest.h"
 #include "tools/cost/calibrate.h"
 
-#define JOIN(backend, function) glint_##backend##_parts_##function
-#define PARTS_FUNCTION(backend, function) JOIN(backend, function)
-#define RENDER PARTS_FUNCTION(EFFECT_BACKEND, render)
-#define LEAST_BYTES PARTS_FUNCTION(EFFECT_BACKEND, memory_least_bytes)
+#if EFFECT_IN_FLOAT
+#define RENDER glint_float_parts_render
+#define LEAST_BYTES glint_float_parts_memory_least_bytes
+#else
+#define RENDER glint_fixed_parts_render
+#define LEAST_BYTES glint_fixed_parts_memory_least_bytes
+#endif
 
 /* The whole picture is one band. */
 enum { WIDTH_PX = 240, HEIGHT_PX = 240, MEMORY_BYTES = 512 * 1024 };

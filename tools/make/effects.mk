@@ -11,8 +11,8 @@ $(foreach row,$(effect_rows),$(eval EFFECT_PART_$(firstword $(subst :, ,$(row)))
 EFFECT_TARGETS := m0plus m4f
 EFFECT_LEVELS := Os O2
 EFFECT_FLAVOURS := $(foreach target,$(EFFECT_TARGETS),$(EFFECT_LEVELS:%=$(target)-%))
-EFFECT_BACKEND_m0plus := fixed
-EFFECT_BACKEND_m4f := float
+EFFECT_IN_FLOAT_m0plus := 0
+EFFECT_IN_FLOAT_m4f := 1
 
 # What an effect is added to, or for one of these, taken from.
 EFFECT_BASE_Os := GLINT_PART_SPECULAR GLINT_PART_POINTS GLINT_PART_SPANS GLINT_PART_LISTS
@@ -20,7 +20,7 @@ EFFECT_BASE_O2 := $(EFFECT_BASE_Os) GLINT_PART_TIERS
 
 TARGET_SOURCES += $(sort $(wildcard tools/effects/*.c))
 # For the analysers, one of them.
-$(patsubst %,tidy/tools/effects/%.c,parts program): HOST_FLAGS += -DEFFECT=GLINT_PART_FOG -DEFFECT_BACKEND=fixed -DEFFECT_IN_FLOAT=0 \
+$(patsubst %,tidy/tools/effects/%.c,parts program): HOST_FLAGS += -DEFFECT=GLINT_PART_FOG -DEFFECT_IN_FLOAT=0 \
 	-DGLINT_PARTS=GLINT_PART_FOG
 
 .PHONY: effects
@@ -51,7 +51,7 @@ effects-page: ## Refresh the table of docs/effects.md from the last `make effect
 ifdef EFFECTS_OF
 EFFECT_TARGET := $(firstword $(subst -, ,$(EFFECTS_OF)))
 EFFECT_BASE := $(EFFECT_BASE_$(lastword $(subst -, ,$(EFFECTS_OF))))
-EFFECT_SETTINGS := -DEFFECT_BACKEND=$(EFFECT_BACKEND_$(EFFECT_TARGET)) -DEFFECT_IN_FLOAT=$(if $(filter float,$(EFFECT_BACKEND_$(EFFECT_TARGET))),1,0)
+EFFECT_SETTINGS := -DEFFECT_IN_FLOAT=$(EFFECT_IN_FLOAT_$(EFFECT_TARGET))
 
 # Sets of parts: base; with-NAME; for what is in the base, without-NAME.
 effect_is_base = $(filter $(EFFECT_PART_$(1)),$(EFFECT_BASE))
